@@ -75,6 +75,7 @@ ContactRows read_contacts(DumpReader& dump, const DumpHeader& header, const std:
     check_row(row, map, guessed, dump.place());
     contacts.rows.push_back(row);
   }
+  dump.end_frame();
   return contacts;
 }
 
