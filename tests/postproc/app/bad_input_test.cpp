@@ -17,7 +17,9 @@ struct BadCase {
   std::string message;
 };
 
-void PrintTo(const BadCase& bad, std::ostream* stream) { *stream << bad.arguments; }
+void PrintTo(const BadCase& bad, std::ostream* stream) {
+  *stream << bad.arguments;
+}
 
 // Blocks of three lines (name, arguments, expected line on stderr), empty lines and # lines between them.
 std::vector<BadCase> read_cases() {
