@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "averaging/time_average.h"
+#include "measured_error.h"
 #include "ring_average.h"
 
 namespace mikromakro {
@@ -33,10 +34,10 @@ TEST(Averager, RattlersCountInNuOnly) {
   frame.particles = {make_disc(5, {3, 0}, 1), make_disc(90, {0, 5}, 1), make_disc(7, {-4, 0}, 2)};
   frame.contacts = {make_contact(frame, 0, 1, 0)};
   const RingAverage average(frame, {{0, 10}, {0, 0}, 2});
-  EXPECT_NEAR(average.at("nu"), 0.06, rounding);
-  EXPECT_NEAR(average.at("nu_1"), 0.02, rounding);
-  EXPECT_NEAR(average.at("nu_2"), 0, rounding);
-  EXPECT_NEAR(average.at("coordination"), 1.0 / 3, rounding);
+  expect_measured(average.at("nu"), 0.06, rounding);
+  expect_measured(average.at("nu_1"), 0.02, rounding);
+  expect_measured(average.at("nu_2"), 0, rounding);
+  expect_measured(average.at("coordination"), 1.0 / 3, rounding);
 }
 
 // A middle disc between two others: 1, 2, 1 contacts; a fourth one closes a triangle with discs 2 and 3: 1,
@@ -47,9 +48,9 @@ TEST(Averager, SolidFractionsByNumberOfContacts) {
   frame.contacts = {make_contact(frame, 0, 1, 0), make_contact(frame, 1, 2, 0), make_contact(frame, 1, 3, 0),
                     make_contact(frame, 3, 2, 0)};
   const RingAverage average(frame, {{0, 10}});
-  EXPECT_NEAR(average.at("nu_1"), 0.04, rounding);
-  EXPECT_NEAR(average.at("nu_2"), 0.03, rounding);
-  EXPECT_NEAR(average.at("nu_3"), 0.01, rounding);
+  expect_measured(average.at("nu_1"), 0.04, rounding);
+  expect_measured(average.at("nu_2"), 0.03, rounding);
+  expect_measured(average.at("nu_3"), 0.01, rounding);
 }
 
 // Weighted by volume: areas pi and 4 pi. Disc 1 at (3, 0): v = (1, 2) is v_r = 1, v_phi = 2; disc 2 at (0,
@@ -63,9 +64,9 @@ TEST(Averager, VelocityAndSpinAreWeightedByVolumeInThePolarBasis) {
   frame.particles[0].spin = 10;
   frame.particles[1].spin = -5;
   const RingAverage average(frame, {{0, 10}});
-  EXPECT_NEAR(average.at("v_r"), -0.6, rounding);
-  EXPECT_NEAR(average.at("v_phi"), -2, rounding);
-  EXPECT_NEAR(average.at("spin"), -2, rounding);
+  expect_measured(average.at("v_r"), -0.6, rounding);
+  expect_measured(average.at("v_phi"), -2, rounding);
+  expect_measured(average.at("spin"), -2, rounding);
 }
 
 // Masses 1 and 3 on the x axis (e_r = e_x), v = (2, 0) and (-2, 4): u = (2 - 6, 12)/4 = (-1, 3), v' = (3, -3)
@@ -78,10 +79,10 @@ TEST(Averager, KineticStressOfTheFluctuations) {
   frame.particles[1].velocity = {-2, 4};
   const RingAverage average(frame, {{0, 10}});
   const double size = 12 / (100 * pi);
-  EXPECT_NEAR(average.at("sigma_kin_rr"), -size, rounding);
-  EXPECT_NEAR(average.at("sigma_kin_rphi"), size, rounding);
-  EXPECT_NEAR(average.at("sigma_kin_phir"), size, rounding);
-  EXPECT_NEAR(average.at("sigma_kin_phiphi"), -size, rounding);
+  expect_measured(average.at("sigma_kin_rr"), -size, rounding);
+  expect_measured(average.at("sigma_kin_rphi"), size, rounding);
+  expect_measured(average.at("sigma_kin_phir"), size, rounding);
+  expect_measured(average.at("sigma_kin_phiphi"), -size, rounding);
 }
 
 // A disc at (0, 3), radius 2, pressed by the wall below it: n = (0, -1) = -e_r, force (1, 4) = 4 e_r - 1
@@ -92,16 +93,16 @@ TEST(Averager, WallContactBelongsToItsDisc) {
   frame.particles = {make_disc(4, {0, 3}, 2)};
   frame.contacts = {wall_contact(frame.particles[0], {0, -1}, {1, 4})};
   const RingAverage average(frame, {{0, 10}});
-  EXPECT_NEAR(average.at("coordination"), 1, rounding);
-  EXPECT_NEAR(average.at("F_rr"), 0.04, rounding);
-  EXPECT_NEAR(average.at("F_phiphi"), 0, rounding);
-  EXPECT_NEAR(average.at("sigma_rr"), -8 / (100 * pi), rounding);
-  EXPECT_NEAR(average.at("sigma_phir"), 2 / (100 * pi), rounding);
-  EXPECT_NEAR(average.at("sigma_rphi"), 0, rounding);
-  EXPECT_NEAR(average.at("sigma_phiphi"), 0, rounding);
+  expect_measured(average.at("coordination"), 1, rounding);
+  expect_measured(average.at("F_rr"), 0.04, rounding);
+  expect_measured(average.at("F_phiphi"), 0, rounding);
+  expect_measured(average.at("sigma_rr"), -8 / (100 * pi), rounding);
+  expect_measured(average.at("sigma_phir"), 2 / (100 * pi), rounding);
+  expect_measured(average.at("sigma_rphi"), 0, rounding);
+  expect_measured(average.at("sigma_phiphi"), 0, rounding);
   // To the contact point: 2 - 0.1, the whole overlap since the wall does not deform.
   const RingAverage contact(frame, {{0, 10}, {0, 0}, 1, "sliced", {{}, Branch::contact}});
-  EXPECT_NEAR(contact.at("sigma_rr"), -7.6 / (100 * pi), rounding);
+  expect_measured(contact.at("sigma_rr"), -7.6 / (100 * pi), rounding);
 }
 
 // A free disc (type 1) and a wall disc (type 2) in contact: the wall disc has no average of its own, the
@@ -112,10 +113,10 @@ TEST(Averager, WallDiscsGiveTheirContactsToFreeDiscs) {
   for (const bool free_disc_first : {true, false}) {
     frame.contacts = {free_disc_first ? make_contact(frame, 0, 1, 100) : make_contact(frame, 1, 0, 100)};
     const RingAverage average(frame, {{0, 10}, {0, 0}, 1, "sliced", {{1}, Branch::radius}});
-    EXPECT_NEAR(average.at("nu"), 0.01, rounding);
-    EXPECT_NEAR(average.at("coordination"), 1, rounding);
-    EXPECT_NEAR(average.at("F_rr"), 0.01, rounding);
-    EXPECT_NEAR(average.at("sigma_rr"), -10 / (100 * pi), rounding);  // k_n overlap = 100 * 0.1, l = 1
+    expect_measured(average.at("nu"), 0.01, rounding);
+    expect_measured(average.at("coordination"), 1, rounding);
+    expect_measured(average.at("F_rr"), 0.01, rounding);
+    expect_measured(average.at("sigma_rr"), -10 / (100 * pi), rounding);  // k_n overlap = 100 * 0.1, l = 1
   }
 }
 
@@ -136,14 +137,14 @@ TEST(Averager, WeightsDifferForADiscAcrossAnEdge) {
   frame.particles = {make_disc(1, {0, -3}, 1)};
   const RingAverage centre(frame, {{0, 3, 6}, {0, 0}, 1, "centre"});
   EXPECT_EQ(centre.at("nu", 0), 0);
-  EXPECT_NEAR(centre.at("nu", 1), 1.0 / 27, rounding);
+  expect_measured(centre.at("nu", 1), 1.0 / 27, rounding);
   const RingAverage sliced(frame, {{0, 3, 6}});
   const double alpha = std::acos(1.0 / 6);     // cos = a/(2 d)
   const double beta = 2 * std::asin(1.0 / 6);  // chord of length a seen from the origin
   const double lens =
       alpha - std::sin(alpha) * std::cos(alpha) + 9 * (beta - std::sin(beta) * std::cos(beta));
-  EXPECT_NEAR(sliced.at("nu", 0), lens / (9 * pi), rounding);
-  EXPECT_NEAR(sliced.at("nu", 1), (pi - lens) / (27 * pi), rounding);
+  expect_measured(sliced.at("nu", 0), lens / (9 * pi), rounding);
+  expect_measured(sliced.at("nu", 1), (pi - lens) / (27 * pi), rounding);
 }
 
 // Two frames: one disc of area pi and v = 1, then one of area 4 pi and v = 6. Sums first: v = (1 + 24)/5 = 5,
@@ -164,8 +165,8 @@ TEST(TimeAverage, SumsAreAveragedBeforeTheRatios) {
   const Table table = averager.solve(average.mean());
   ASSERT_EQ(table.columns.size(),
             9U);  // 3 of the rings, 4 + 2 of the fields: what was not asked for is not there
-  EXPECT_NEAR(table.rows(0, 3), 0.025, rounding);
-  EXPECT_NEAR(table.rows(0, 7), 5, rounding);
+  expect_measured(table.rows(0, 3), 0.025, rounding);
+  expect_measured(table.rows(0, 7), 5, rounding);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "lattice_frame.h"
+#include "measured_error.h"
 
 namespace mikromakro {
 namespace {
@@ -33,8 +34,8 @@ void expect_same(const Frame& one, const Frame& two, double tolerance) {
   for (Eigen::Index row = 0; row < first.rows.rows(); ++row) {
     for (Eigen::Index column = 0; column < first.rows.cols(); ++column) {
       const double value = first.rows(row, column);
-      EXPECT_NEAR(value, second.rows(row, column), tolerance)
-          << first.columns[static_cast<std::size_t>(column)].name << " in ring " << row;
+      expect_measured(value, second.rows(row, column), tolerance,
+                      first.columns[static_cast<std::size_t>(column)].name);
     }
   }
 }

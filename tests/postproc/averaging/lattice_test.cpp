@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "lattice_frame.h"
+#include "measured_error.h"
 
 namespace mikromakro {
 namespace {
@@ -24,18 +25,18 @@ TEST(TriangularLattice, IsotropicCompressionAsWorkedByHand) {
   const LatticeSetup lattice{1, 1.98, 100, 4, Eigen::Matrix2d::Identity()};
   const RingAverage average(make_lattice(lattice), {{0, 20}, {0, 0}, 0.5, "sliced", free_discs});
   const double nu = 37.0 / 400;
-  EXPECT_NEAR(average.at("nu"), nu, rounding);
-  EXPECT_NEAR(average.at("nu_3"), nu, rounding);
-  EXPECT_NEAR(average.at("coordination"), 6, rounding);
-  EXPECT_NEAR(average.at("F_rr"), 3 * nu, rounding);
-  EXPECT_NEAR(average.at("F_phiphi"), 3 * nu, rounding);
-  EXPECT_NEAR(average.at("F_rphi"), 0, rounding);
-  EXPECT_NEAR(average.at("F_phir"), 0, rounding);
+  expect_measured(average.at("nu"), nu, rounding);
+  expect_measured(average.at("nu_3"), nu, rounding);
+  expect_measured(average.at("coordination"), 6, rounding);
+  expect_measured(average.at("F_rr"), 3 * nu, rounding);
+  expect_measured(average.at("F_phiphi"), 3 * nu, rounding);
+  expect_measured(average.at("F_rphi"), 0, rounding);
+  expect_measured(average.at("F_phir"), 0, rounding);
   const double pressure = 37 * 3 * 100 * 0.02 / (400 * pi * 0.5);
-  EXPECT_NEAR(average.at("sigma_rr"), -pressure, rounding * pressure);
-  EXPECT_NEAR(average.at("sigma_phiphi"), -pressure, rounding * pressure);
-  EXPECT_NEAR(average.at("sigma_rphi"), 0, rounding * pressure);
-  EXPECT_NEAR(average.at("sigma_phir"), 0, rounding * pressure);
+  expect_measured(average.at("sigma_rr"), -pressure, rounding * pressure);
+  expect_measured(average.at("sigma_phiphi"), -pressure, rounding * pressure);
+  expect_measured(average.at("sigma_rphi"), 0, rounding * pressure);
+  expect_measured(average.at("sigma_phir"), 0, rounding * pressure);
 }
 
 // The contact point is overlap/2 = 0.01 inside the disc: l = 0.99 n instead of 1 n.
@@ -43,7 +44,7 @@ TEST(TriangularLattice, BranchToTheContactPointIsShorterByHalfTheOverlap) {
   const Frame frame = make_lattice({1, 1.98, 100, 3, Eigen::Matrix2d::Identity()});
   const RingAverage radius(frame, {{0, 20}, {0, 0}, 1, "sliced", {{1}, Branch::radius}});
   const RingAverage contact(frame, {{0, 20}, {0, 0}, 1, "sliced", {{1}, Branch::contact}});
-  EXPECT_NEAR(contact.at("sigma_rr") / radius.at("sigma_rr"), 0.99, rounding);
+  expect_measured(contact.at("sigma_rr") / radius.at("sigma_rr"), 0.99, rounding);
 }
 
 struct Dyads {
@@ -83,10 +84,10 @@ void expect_polar(const RingAverage& average, const std::string& name, const Eig
   const double deviator = q * n_c_s[1] + u * n_c_s[2];
   const double off = -q * n_c_s[2] + u * n_c_s[1];
   const double size = rounding * std::abs(n_c_s[0] * t);
-  EXPECT_NEAR(average.at(name + "_rr"), n_c_s[0] * t + deviator, size);
-  EXPECT_NEAR(average.at(name + "_phiphi"), n_c_s[0] * t - deviator, size);
-  EXPECT_NEAR(average.at(name + "_rphi"), off, size);
-  EXPECT_NEAR(average.at(name + "_phir"), off, size);
+  expect_measured(average.at(name + "_rr"), n_c_s[0] * t + deviator, size);
+  expect_measured(average.at(name + "_phiphi"), n_c_s[0] * t - deviator, size);
+  expect_measured(average.at(name + "_rphi"), off, size);
+  expect_measured(average.at(name + "_phir"), off, size);
 }
 
 // One free disc at 45 degrees from the centre of the rings (C = 0, S = 1), 3 (1, 1) away; two shells, so six
@@ -97,7 +98,7 @@ TEST(TriangularLattice, SimpleShearOfOneDiscAt45DegreesAsWorkedByHand) {
   const RingAverage average(make_lattice(lattice), {{2, 6}, {-3, -3}, 1, "sliced", free_discs});
   const Dyads disc = sheared_disc(1.96, 0.02, 50);
   const double volume = 32 * pi;
-  EXPECT_NEAR(average.at("nu"), 1.0 / 32, rounding);
+  expect_measured(average.at("nu"), 1.0 / 32, rounding);
   expect_polar(average, "F", disc.fabric * pi / volume, {1, 0, 1});
   expect_polar(average, "sigma", disc.stress / volume, {1, 0, 1});
 }
@@ -120,7 +121,7 @@ TEST(TriangularLattice, SimpleShearOfAPatchAsWorkedByHand) {
   const RingAverage average(frame, {{0, 30}, centre, 0.25, "sliced", free_discs});
   const Dyads disc = sheared_disc(1.96, 0.02, 50);
   const double volume = 900 * pi * 0.25;
-  EXPECT_NEAR(average.at("nu"), 19.0 / 900, rounding);
+  expect_measured(average.at("nu"), 19.0 / 900, rounding);
   expect_polar(average, "F", disc.fabric * pi * 0.25 / volume, n_c_s);
   expect_polar(average, "sigma", disc.stress / volume, n_c_s);
 }
@@ -137,7 +138,7 @@ TEST(TriangularLattice, RingsAddUpToTheWhole) {
       const auto k = static_cast<std::size_t>(i);
       sum += rings.at(name, i) * (edges[k + 1] * edges[k + 1] - edges[k] * edges[k]) / 400;
     }
-    EXPECT_NEAR(sum / whole.at(name), 1, rounding) << name;
+    expect_measured(sum / whole.at(name), 1, rounding, name);
   }
 }
 
@@ -147,7 +148,7 @@ TEST(TriangularLattice, TraceOfFabricIsSolidFractionTimesCoordinationInEveryRing
                           {equal_ring_edges(0, 9, 30), {1, 0}, 1, "sliced", {}});
   for (int i = 0; i < 30; ++i) {
     const double product = rings.at("nu", i) * rings.at("coordination", i);
-    EXPECT_NEAR(rings.at("F_rr", i) + rings.at("F_phiphi", i), product, rounding);
+    expect_measured(rings.at("F_rr", i) + rings.at("F_phiphi", i), product, rounding);
   }
 }
 

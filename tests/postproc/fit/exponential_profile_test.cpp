@@ -6,6 +6,7 @@
 #include <random>
 
 #include "io/error.h"
+#include "measured_error.h"
 
 namespace mikromakro {
 namespace {
@@ -24,8 +25,8 @@ ProfilePoints exact_profile(double v0, int rings) {
 TEST(ExponentialProfile, ExactDataGiveBackTheirParameters) {
   for (const double v0 : {6.66e-3, -6.66e-3, 1.0}) {
     const ExponentialProfile fit = fit_exponential(exact_profile(v0, 60), r_i);
-    EXPECT_NEAR(fit.v0.value / v0, 1, 1e-10);
-    EXPECT_NEAR(fit.s.value / width, 1, 1e-10);
+    expect_measured(fit.v0.value / v0, 1, 1e-10);
+    expect_measured(fit.s.value / width, 1, 1e-10);
     EXPECT_EQ(fit.points, 60);
     EXPECT_LT(fit.residual_rms, 1e-12 * std::abs(v0));
   }
@@ -36,7 +37,7 @@ TEST(ExponentialProfile, RingsWithoutValueAreLeftOut) {
   points.v[3] = std::nan("");
   const ExponentialProfile fit = fit_exponential(points, r_i);
   EXPECT_EQ(fit.points, 19);
-  EXPECT_NEAR(fit.s.value / width, 1, 1e-10);
+  expect_measured(fit.s.value / width, 1, 1e-10);
 }
 
 // 400 profiles with Gaussian noise: the 95 % intervals hold the truth in 95 % of them. The standard error of
@@ -59,8 +60,8 @@ TEST(ExponentialProfile, IntervalsCoverTheTruthAsOftenAsTheySay) {
     v0_covered += static_cast<int>(fit.v0.low <= 1 && 1 <= fit.v0.high);
     s_covered += static_cast<int>(fit.s.low <= width && width <= fit.s.high);
   }
-  EXPECT_NEAR(v0_covered, 0.95 * trials, 0.045 * trials);
-  EXPECT_NEAR(s_covered, 0.95 * trials, 0.045 * trials);
+  expect_measured(v0_covered, 0.95 * trials, 0.045 * trials);
+  expect_measured(s_covered, 0.95 * trials, 0.045 * trials);
   RecordProperty("covered", std::to_string(v0_covered) + " and " + std::to_string(s_covered));
 }
 
@@ -71,7 +72,7 @@ TEST(ExponentialProfile, PointsCountByTheInverseSquareOfTheirError) {
   points.error = Eigen::ArrayXd::Constant(30, 1e-3);
   points.v[10] += 0.1;
   points.error[10] = 1;
-  EXPECT_NEAR(fit_exponential(points, r_i).v0.value, 1, 1e-6);
+  expect_measured(fit_exponential(points, r_i).v0.value, 1, 1e-6);
   points.error[10] = 1e-3;
   EXPECT_GT(std::abs(fit_exponential(points, r_i).v0.value - 1), 1e-4);
 }
