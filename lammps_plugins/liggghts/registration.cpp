@@ -3,6 +3,9 @@
 #include <dlfcn.h>
 #include <mpi.h>
 
+#include "create_discs.h"
+#include "create_ring.h"
+#include "fix_couette_2d.h"
 #include "lammps.h"
 #include "mikromakro_version.h"
 #include "style_maps.h"
@@ -25,9 +28,14 @@ void run_command(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) {
   T(engine).command(narg, arg);
 }
 
-const std::map<std::string, FixCreator> fixes = {};
+const std::map<std::string, FixCreator> fixes = {
+    {"couette/2d", make_fix<LAMMPS_NS::FixCouette2d>},
+};
 const std::map<std::string, ComputeCreator> computes = {};
-const std::map<std::string, CommandCreator> commands = {};
+const std::map<std::string, CommandCreator> commands = {
+    {"create_discs", run_command<LAMMPS_NS::CreateDiscs>},
+    {"create_ring", run_command<LAMMPS_NS::CreateRing>},
+};
 
 template <class Creator>
 void append_names(std::string& text, const char* kind, const std::map<std::string, Creator>& styles) {
