@@ -137,13 +137,7 @@ std::vector<physics::PlacedDisc> place(LAMMPS_NS::LAMMPS& engine, const Argument
 }
 
 }  // namespace
-}  // namespace mikromakro::liggghts
-
-namespace LAMMPS_NS {
-
 void CreateDiscs::command(int narg, char** arg) {
-  using namespace mikromakro::liggghts;
-  namespace physics = mikromakro::physics;
   check_ready_for_discs(*lmp, style);
   Arguments arguments(*lmp, style, narg, arg);
   const FillRequest request = parse(arguments, atom->ntypes);
@@ -165,4 +159,4 @@ void CreateDiscs::command(int narg, char** arg) {
                 text_of(solid_fraction(request, radii)));
 }
 
-}  // namespace LAMMPS_NS
+}  // namespace mikromakro::liggghts

@@ -12,12 +12,12 @@
 
 #include "pointers.h"
 
-namespace LAMMPS_NS {
+namespace mikromakro::liggghts {
 
-class CreateDiscs : protected Pointers {
+class CreateDiscs : protected LAMMPS_NS::Pointers {
  public:
-  explicit CreateDiscs(LAMMPS* lmp) : Pointers(lmp) {}
+  explicit CreateDiscs(LAMMPS_NS::LAMMPS* lmp) : Pointers(lmp) {}
   void command(int narg, char** arg);
 };
 
-}  // namespace LAMMPS_NS
+}  // namespace mikromakro::liggghts

@@ -72,17 +72,11 @@ std::vector<NewDisc> discs_of(const RingRequest& ring) {
 }
 
 }  // namespace
-}  // namespace mikromakro::liggghts
-
-namespace LAMMPS_NS {
-
 void CreateRing::command(int narg, char** arg) {
-  using namespace mikromakro::liggghts;
   check_ready_for_discs(*lmp, style);
   Arguments arguments(*lmp, style, narg, arg);
   const RingRequest ring = parse(arguments, atom->ntypes);
-  const mikromakro::physics::Annulus outline{ring.centre.x, ring.centre.y, 0.0,
-                                             ring.ring_radius + ring.disc_radius};
+  const physics::Annulus outline{ring.centre.x, ring.centre.y, 0.0, ring.ring_radius + ring.disc_radius};
   check_inside_box(*lmp, style, "the ring", outline.bounds());
   insert_discs(*lmp, style, discs_of(ring), ring.areal_density);
   const double pitch = 2.0 * std::numbers::pi * ring.ring_radius / ring.number;
@@ -90,4 +84,4 @@ void CreateRing::command(int narg, char** arg) {
                 " on a circle of radius " + text_of(ring.ring_radius) + ", pitch " + text_of(pitch));
 }
 
-}  // namespace LAMMPS_NS
+}  // namespace mikromakro::liggghts

@@ -7,12 +7,12 @@
 
 #include "pointers.h"
 
-namespace LAMMPS_NS {
+namespace mikromakro::liggghts {
 
-class CreateRing : protected Pointers {
+class CreateRing : protected LAMMPS_NS::Pointers {
  public:
-  explicit CreateRing(LAMMPS* lmp) : Pointers(lmp) {}
+  explicit CreateRing(LAMMPS_NS::LAMMPS* lmp) : Pointers(lmp) {}
   void command(int narg, char** arg);
 };
 
-}  // namespace LAMMPS_NS
+}  // namespace mikromakro::liggghts

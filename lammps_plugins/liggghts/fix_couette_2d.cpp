@@ -7,11 +7,9 @@
 #include "memory.h"
 #include "update.h"
 
-using mikromakro::liggghts::stop;
-namespace physics = mikromakro::physics;
+namespace mikromakro::liggghts {
 
-namespace LAMMPS_NS {
-FixCouette2d::FixCouette2d(LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg) {
+FixCouette2d::FixCouette2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg) {
   time_integrate = 1;
   restart_global = 1;
   restart_peratom = 1;
@@ -27,8 +25,8 @@ FixCouette2d::FixCouette2d(LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, a
   if (domain->dimension != 2) stop(*lmp, style, "expected 'dimension 2', got dimension 3");
   if (!atom->radius_flag || !atom->omega_flag || !atom->torque_flag)
     stop(*lmp, style, "expected an atom style with radius, omega and torque, such as granular");
-  mikromakro::liggghts::Arguments arguments(*lmp, style, narg, arg, 3);
-  settings_ = mikromakro::liggghts::parse_couette(*lmp, arguments);
+  Arguments arguments(*lmp, style, narg, arg, 3);
+  settings_ = parse_couette(*lmp, arguments);
   clock_ = physics::StepClock(0.0, update->ntimestep, update->dt);
 
   grow_arrays(atom->nmax);
@@ -45,7 +43,7 @@ FixCouette2d::~FixCouette2d() {
 
 int FixCouette2d::setmask() {
   // PRE_EXCHANGE only so that the engine calls setup_pre_exchange.
-  return FixConst::INITIAL_INTEGRATE | FixConst::PRE_EXCHANGE;
+  return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::PRE_EXCHANGE;
 }
 
 // After the state of a restart file, if there is one, has been taken over.
@@ -82,12 +80,12 @@ void FixCouette2d::reset_dt() {
   follow_time_step(update->ntimestep);
 }
 
-void FixCouette2d::reset_timestep(bigint newstep, bigint oldstep) {
+void FixCouette2d::reset_timestep(LAMMPS_NS::bigint newstep, LAMMPS_NS::bigint oldstep) {
   clock_.shift_steps(newstep - oldstep);
   step_of_loads_ = -1;
 }
 
-FixCouette2d::Rings FixCouette2d::rings_at(bigint step) const {
+FixCouette2d::Rings FixCouette2d::rings_at(LAMMPS_NS::bigint step) const {
   const double time = clock_.time_at(step);
   return {settings_.rings[0].motion.at(time), settings_.rings[1].motion.at(time)};
 }
@@ -103,11 +101,11 @@ physics::PlaneVector FixCouette2d::from_centre(int i) const {
 }
 
 // The command `timestep` tells no fix.
-void FixCouette2d::follow_time_step(bigint step) {
+void FixCouette2d::follow_time_step(LAMMPS_NS::bigint step) {
   if (update->dt != clock_.dt()) clock_.change_step_length(step, update->dt);
 }
 
-void FixCouette2d::place_wall_discs(bigint step, bool velocities_only) {
+void FixCouette2d::place_wall_discs(LAMMPS_NS::bigint step, bool velocities_only) {
   const Rings rings = rings_at(step);
   for (int i = 0; i < atom->nlocal; ++i) {
     const int side = ring_of(i);
@@ -174,4 +172,4 @@ double FixCouette2d::memory_usage() {
   return 2.0 * atom->nmax * sizeof(double);
 }
 
-}  // namespace LAMMPS_NS
+}  // namespace mikromakro::liggghts

@@ -33,11 +33,11 @@
 #include "physics/ring_motion.h"
 #include "physics/step_clock.h"
 
-namespace LAMMPS_NS {
+namespace mikromakro::liggghts {
 
-class FixCouette2d : public Fix {
+class FixCouette2d : public LAMMPS_NS::Fix {
  public:
-  FixCouette2d(LAMMPS* lmp, int narg, char** arg);
+  FixCouette2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   ~FixCouette2d() override;
   FixCouette2d(const FixCouette2d&) = delete;
   FixCouette2d& operator=(const FixCouette2d&) = delete;
@@ -49,7 +49,7 @@ class FixCouette2d : public Fix {
   void setup(int vflag) override;
   void initial_integrate(int vflag) override;
   void reset_dt() override;
-  void reset_timestep(bigint newstep, bigint oldstep) override;
+  void reset_timestep(LAMMPS_NS::bigint newstep, LAMMPS_NS::bigint oldstep) override;
   double compute_scalar() override;
   double compute_vector(int i) override;
   double memory_usage() override;
@@ -68,24 +68,24 @@ class FixCouette2d : public Fix {
   int maxsize_restart() override;
 
  private:
-  using Rings = std::array<mikromakro::physics::RingState, 2>;  // inner, outer
-  using Loads = std::array<mikromakro::physics::RingLoad, 2>;
+  using Rings = std::array<physics::RingState, 2>;  // inner, outer
+  using Loads = std::array<physics::RingLoad, 2>;
 
-  [[nodiscard]] Rings rings_at(bigint step) const;
+  [[nodiscard]] Rings rings_at(LAMMPS_NS::bigint step) const;
   [[nodiscard]] int ring_of(int i) const;  // 0 inner, 1 outer, -1 no wall disc
-  [[nodiscard]] mikromakro::physics::PlaneVector from_centre(int i) const;
-  void follow_time_step(bigint step);
+  [[nodiscard]] physics::PlaneVector from_centre(int i) const;
+  void follow_time_step(LAMMPS_NS::bigint step);
   void check_groups();
   void check_radii();
   void adopt_new_wall_discs();
-  void place_wall_discs(bigint step, bool velocities_only);
+  void place_wall_discs(LAMMPS_NS::bigint step, bool velocities_only);
   const Loads& loads();
 
-  mikromakro::liggghts::CouetteSettings settings_;
-  mikromakro::physics::StepClock clock_;
+  CouetteSettings settings_;
+  physics::StepClock clock_;
   double** references_ = nullptr;  // per atom: unit vector of the reference angle; zero: none yet
   Loads loads_;
-  bigint step_of_loads_ = -1;
+  LAMMPS_NS::bigint step_of_loads_ = -1;
 };
 
-}  // namespace LAMMPS_NS
+}  // namespace mikromakro::liggghts

@@ -14,11 +14,7 @@
 #include "memory.h"
 #include "update.h"
 
-using mikromakro::liggghts::stop;
-using mikromakro::liggghts::text_of;
-namespace physics = mikromakro::physics;
-
-namespace LAMMPS_NS {
+namespace mikromakro::liggghts {
 namespace {
 
 // A disc this far off its ring, relative to the radius, was not put there by create_ring: rounding is 1e-16.
@@ -65,7 +61,7 @@ void FixCouette2d::check_groups() {
   const physics::RadiusCourse& course = settings_.rings[1].motion.course;
   const physics::Annulus outline{settings_.centre.x, settings_.centre.y, 0.0,
                                  std::max(course.start, course.end) + largest};
-  mikromakro::liggghts::check_inside_box(*lmp, style, "the outer ring", outline.bounds());
+  check_inside_box(*lmp, style, "the outer ring", outline.bounds());
 }
 
 // Names the disc that is farthest off its ring, relative to the radius.
@@ -152,9 +148,9 @@ void FixCouette2d::write_restart(FILE* fp) {
 void FixCouette2d::restart(char* buf) {
   SavedState state;
   std::memcpy(&state, buf, sizeof state);
-  clock_ = physics::StepClock(state.elapsed, static_cast<bigint>(state.step_of_clock), state.dt);
+  clock_ = physics::StepClock(state.elapsed, static_cast<LAMMPS_NS::bigint>(state.step_of_clock), state.dt);
   // The steps may have been counted anew between read_restart and here.
-  clock_.shift_steps(update->ntimestep - static_cast<bigint>(state.step_of_file));
+  clock_.shift_steps(update->ntimestep - static_cast<LAMMPS_NS::bigint>(state.step_of_file));
   const double time = clock_.time_at(update->ntimestep);
   for (int side = 0; side < 2; ++side) {
     physics::RingMotion& motion = settings_.rings[side].motion;
@@ -188,4 +184,4 @@ int FixCouette2d::maxsize_restart() {
   return 3;
 }
 
-}  // namespace LAMMPS_NS
+}  // namespace mikromakro::liggghts

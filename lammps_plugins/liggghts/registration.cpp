@@ -3,11 +3,14 @@
 #include <dlfcn.h>
 #include <mpi.h>
 
+#include "compute_contact_disc.h"
 #include "create_discs.h"
 #include "create_ring.h"
 #include "fix_couette_2d.h"
+#include "fix_nve_disc.h"
 #include "lammps.h"
 #include "mikromakro_version.h"
+#include "pair_gran_disc.h"
 #include "style_maps.h"
 
 namespace mikromakro::liggghts {
@@ -28,14 +31,11 @@ void run_command(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) {
   T(engine).command(narg, arg);
 }
 
-const std::map<std::string, FixCreator> fixes = {
-    {"couette/2d", make_fix<LAMMPS_NS::FixCouette2d>},
-};
-const std::map<std::string, ComputeCreator> computes = {};
-const std::map<std::string, CommandCreator> commands = {
-    {"create_discs", run_command<LAMMPS_NS::CreateDiscs>},
-    {"create_ring", run_command<LAMMPS_NS::CreateRing>},
-};
+const std::map<std::string, FixCreator> fixes = {{"couette/2d", make_fix<FixCouette2d>},
+                                                 {"nve/disc", make_fix<FixNveDisc>}};
+const std::map<std::string, ComputeCreator> computes = {{"contact/disc", make_compute<ComputeContactDisc>}};
+const std::map<std::string, CommandCreator> commands = {{"create_discs", run_command<CreateDiscs>},
+                                                        {"create_ring", run_command<CreateRing>}};
 
 template <class Creator>
 void append_names(std::string& text, const char* kind, const std::map<std::string, Creator>& styles) {
@@ -47,6 +47,7 @@ void append_names(std::string& text, const char* kind, const std::map<std::strin
 }  // namespace
 
 void register_styles(LAMMPS_NS::LAMMPS& engine) {
+  register_disc_laws();
   for (const auto& [name, creator] : fixes) fix_styles(*engine.modify)[name] = creator;
   for (const auto& [name, creator] : computes) compute_styles(*engine.modify)[name] = creator;
   for (const auto& [name, creator] : commands) command_styles(*engine.input)[name] = creator;
@@ -58,6 +59,7 @@ const char* version_line() {
 
 std::string style_list() {
   std::string text = "\nStyles of mikromakro\n\n";
+  text += "* Pair style gran: model disc/linear, tangential off disc/viscous disc/cundall_strack\n";
   append_names(text, "Fix styles", fixes);
   append_names(text, "Compute styles", computes);
   append_names(text, "Commands", commands);
