@@ -15,7 +15,6 @@
 namespace mikromakro::liggghts {
 
 using namespace LAMMPS_NS;
-using physics::Effects;
 using physics::Tangential;
 
 namespace {
