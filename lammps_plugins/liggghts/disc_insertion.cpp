@@ -114,6 +114,7 @@ void insert_discs(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std
 std::vector<physics::PlacedDisc> existing_discs(LAMMPS_NS::LAMMPS& engine) {
   const LAMMPS_NS::Atom& atom = *engine.atom;
   std::vector<physics::PlacedDisc> own;
+  own.reserve(atom.nlocal);
   for (int i = 0; i < atom.nlocal; ++i) own.push_back({atom.x[i][0], atom.x[i][1], atom.radius[i]});
 
   constexpr int doubles_per_disc = sizeof(physics::PlacedDisc) / sizeof(double);
