@@ -61,12 +61,14 @@ void FixCouette2d::init() {
 }
 
 // Velocities at the start of a run, before ghosts get theirs. Positions are left alone: they are right
-// already, or check_radii has stopped the run.
+// already, or check_radii has stopped the run. Forces will be evaluated anew, perhaps with another law:
+// averages that are taken in the set-up, maybe before this fix's own, must not get the loads of the last
+// run's end.
 void FixCouette2d::setup_pre_exchange() {
   place_wall_discs(update->ntimestep, true);
+  step_of_loads_ = -1;
 }
 
-// Forces have been evaluated anew, perhaps at the same step with another law.
 void FixCouette2d::setup(int) {
   step_of_loads_ = -1;
 }

@@ -63,6 +63,14 @@ TEST(Couette, WallDiscsKeepTheExactAngleForManySteps) {
   EXPECT_DOUBLE_EQ(cell_value(engine, 6), -2.8);
 }
 
+// 12 rad within 5000 steps: on two ranks every disc of the wheel changes its owner several times.
+TEST(Couette, WallDiscsKeepTheirReferenceWhenTheyChangeRanks) {
+  Engine engine;
+  engine.run(rings("off") + groups() + cell("omega_inner 60") + "run 5000\n");
+  for (int k = 0; k < 4; ++k)
+    expect_on_ring(engine.discs().at(1 + k), 0.1, k * std::numbers::pi / 2 + 60 * 0.2);
+}
+
 TEST(Couette, WallDiscsHaveTheirVelocitiesBeforeTheFirstStep) {
   Engine engine;
   engine.run(rings("off") + groups() + cell("omega_inner 3") + "run 0\n");
@@ -148,6 +156,16 @@ TEST(Couette, LoadsFollowTheSteps) {
   const double before = cell_value(engine, 3);
   engine.run("run 10\n");
   EXPECT_LT(cell_value(engine, 3), 0.99 * before);
+}
+
+// The same step evaluated again with a larger disc: twice the overlap.
+TEST(Couette, LoadsFollowANewEvaluationOfTheSameStep) {
+  Engine engine;
+  engine.run(rings("off") + disc(13, c_x + 0.1 + 0.03 - 1e-4, c_y, 0.02) + groups() + cell("omega_inner 0") +
+             "run 0\n");
+  const double before = cell_value(engine, 3);
+  engine.run("set atom 13 diameter 0.0402\nrun 0\n");  // overlap 2e-4
+  EXPECT_NEAR(cell_value(engine, 3), 2 * before, 1e-9 * before);
 }
 
 class Restart : public testing::Test {
