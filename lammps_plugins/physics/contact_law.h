@@ -1,0 +1,100 @@
+// The contact law of two discs (or of a disc and a wall) as one pure function: parameters and state in, force
+// and new spring out. Used by every engine, by walls and by the tests.
+//
+// Conventions: the normal n points from particle 1 to particle 2, the tangent is t = (-n_y, n_x).
+//   overlap  a_1 + a_2 - |r_1 - r_2|, > 0 in contact                                      [m]
+//   v_n      rate of the overlap, (v_1 - v_2).n, > 0 on approach                           [m/s]
+//   v_t      slip rate of 1 against 2, (v_1 - v_2).t + omega_1 c_1 + omega_2 c_2           [m/s]
+//   xi       tangential spring: slip of 1 against 2 that is stored elastically             [m]
+// with the lever arms c_i = a_i - overlap/2 to the contact point. Both v_t and xi keep their sign when the
+// particles change places. The force on 1 is -f_n n + f_t t, on 2 its opposite; both get the torque c_i f_t.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace mikromakro::physics {
+
+enum class Tangential {
+  none,             // no tangential force
+  viscous_coulomb,  // seed Eq. 1
+  spring,           // Cundall-Strack spring
+  damped_spring     // Cundall-Strack spring with a dashpot beside it
+};
+
+/// What a scene simulates; each value is its own compiled instance of law and loop.
+struct Effects {
+  Tangential tangential = Tangential::none;
+  bool no_attraction = false;  // the normal force is cut off at zero (limitForce)
+
+  static constexpr bool has_spring(Tangential t) {
+    return t == Tangential::spring || t == Tangential::damped_spring;
+  }
+  constexpr bool spring() const { return has_spring(tangential); }
+  constexpr bool operator==(const Effects&) const = default;
+};
+
+/// Material constants of a pair of types.
+struct ContactParameters {
+  double normal_stiffness = 0;      // k_n [N/m]
+  double normal_damping = 0;        // gamma_n [kg/s]
+  double tangential_stiffness = 0;  // k_t [N/m]
+  double tangential_damping = 0;    // gamma_t [kg/s]
+  double friction = 0;              // mu [-]
+};
+
+struct ContactState {
+  double overlap;  // [m]
+  double v_n;      // [m/s]
+  double v_t;      // [m/s]
+  double xi;       // [m], before the step
+};
+
+struct ContactForce {
+  double f_n;  // [N], > 0 repels
+  double f_t;  // [N], on particle 1 along t
+  double xi;   // [m], after the step
+};
+
+/// Normal force f_n = k_n overlap + gamma_n v_n (seed 2.2; with delta = -overlap), optionally without
+/// attraction.
+template <Effects effects>
+constexpr double normal_force(const ContactParameters& p, const ContactState& s) {
+  const double f_n = p.normal_stiffness * s.overlap + p.normal_damping * s.v_n;
+  return effects.no_attraction ? std::max(f_n, 0.0) : f_n;
+}
+
+/// Viscous force limited by Coulomb friction, seed Eq. 1: f_t = -min(gamma_t |v_t|, mu |f_n|) sign(v_t).
+inline double viscous_coulomb_force(const ContactParameters& p, double v_t, double f_n) {
+  const double cap = p.friction * std::abs(f_n);
+  return std::clamp(-p.tangential_damping * v_t, -cap, cap);
+}
+
+/// Cundall-Strack spring (seed 2.2, as pinned in docs/conventions.md): xi grows by v_t dt; the trial force
+/// -k_t xi [- gamma_t v_t] holds up to mu |f_n|; beyond it the force slides at the cap and the spring is set
+/// to what the cap leaves for it, never longer than the cap allows.
+template <Effects effects>
+ContactForce spring_force(const ContactParameters& p, const ContactState& s, double f_n, double dt) {
+  const double cap = p.friction * std::abs(f_n);
+  const double viscous = effects.tangential == Tangential::damped_spring ? p.tangential_damping * s.v_t : 0.0;
+  const double stretched = s.xi + s.v_t * dt;
+  const double trial = -p.tangential_stiffness * stretched - viscous;
+  if (std::abs(trial) <= cap) return {f_n, trial, stretched};
+  const double sliding = std::copysign(cap, trial);
+  const double elastic = std::clamp(-(sliding + viscous), -cap, cap);
+  return {f_n, sliding, elastic / p.tangential_stiffness};
+}
+
+/// Force of one contact. dt [s] is the time over which the spring is stretched; 0 evaluates the force without
+/// moving it.
+template <Effects effects>
+ContactForce contact_force(const ContactParameters& p, const ContactState& s, double dt) {
+  const double f_n = normal_force<effects>(p, s);
+  if constexpr (effects.spring()) return spring_force<effects>(p, s, f_n, dt);
+  if constexpr (effects.tangential == Tangential::viscous_coulomb) {
+    return {f_n, viscous_coulomb_force(p, s.v_t, f_n), 0.0};
+  }
+  return {f_n, 0.0, 0.0};
+}
+
+}  // namespace mikromakro::physics
