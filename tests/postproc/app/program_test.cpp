@@ -74,6 +74,9 @@ TEST(Average, WritesTheSameIntoAFile) {
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(ran.out, "");
   EXPECT_EQ(read_text(folder.path("a.csv")), run_program("average " + good).out);
+  const Ran both = run_program("average " + good + "--out - --out '" + folder.path("b.csv") + "'");
+  EXPECT_EQ(both.out, read_text(folder.path("a.csv")));
+  EXPECT_EQ(both.out, read_text(folder.path("b.csv")));
 }
 
 TEST(Average, StockContactDumpsGiveTheSameThroughTheColumnMap) {
