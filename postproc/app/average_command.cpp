@@ -21,7 +21,8 @@ namespace {
 struct AverageOptions {
   std::vector<std::string> particles, contacts, particle_columns, contact_columns, fields;
   std::vector<double> rings, center = {0, 0}, edges;
-  std::string weight = "sliced", branch = "radius", frames, steps, out = "-";
+  std::string weight = "sliced", branch = "radius", frames, steps;
+  std::vector<std::string> out;
   double height = 1;
   double kn = 0;
   std::vector<int> bulk_types;
@@ -51,7 +52,9 @@ void add_options(CLI::App& app, AverageOptions& options) {
                  "branch vector: radius (a_p n, default) or contact (to the contact point)");
   app.add_option("--fields", options.fields, fmt::format("{}; default all", fmt::join(field_names(), ",")))
       ->delimiter(',');
-  app.add_option("--out", options.out, "FILE.csv, or - for standard output (default)");
+  app.add_option("--out", options.out,
+                 "FILE.csv, or - for standard output (default); may be given more than once")
+      ->allow_extra_args(false);
   app.add_flag("--quiet", options.quiet, "no progress bar");
 }
 
@@ -80,10 +83,33 @@ std::unique_ptr<const Volumes> volumes_of(const AverageOptions& options) {
   return std::make_unique<const RingVolumes>(center, std::move(edges), options.height);
 }
 
-void check_out(const std::string& out) {
-  if (out != "-" && !out.ends_with(".csv"))
-    throw bad_input({"--out"}, "unknown kind of output file", "a name ending in .csv, or -", in_quotes(out));
-}
+// Where the table goes to: every file is made at once, and filled when all frames are read.
+class Outputs {
+ public:
+  explicit Outputs(const std::vector<std::string>& names) : to_stdout_(names.empty()) {
+    for (const std::string& name : names) {
+      if (name != "-" && !name.ends_with(".csv"))
+        throw bad_input({"--out"}, "unknown kind of output file", "a name ending in .csv, or -",
+                        in_quotes(name));
+    }
+    for (const std::string& name : names) {
+      if (name == "-") {
+        to_stdout_ = true;
+      } else {
+        files_.push_back(std::make_unique<OutputFile>(name));
+      }
+    }
+  }
+
+  void commit(const std::string& text) {
+    for (const auto& file : files_) file->commit(text);
+    if (to_stdout_) fmt::print("{}", text);
+  }
+
+ private:
+  bool to_stdout_;
+  std::vector<std::unique_ptr<OutputFile>> files_;
+};
 
 FrameSource source_of(const AverageOptions& options, const Averager& averager) {
   if (options.contacts.empty() && averager.needs_contacts()) {
@@ -129,6 +155,12 @@ Preamble preamble_of(const AverageOptions& options, const FrameSource& source, c
   Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " average"}};
   for (const std::string& file : source.particle_files) lines.emplace_back("particles", file);
   for (const std::string& file : source.contact_files) lines.emplace_back("contacts", file);
+  if (!options.fields.empty())
+    lines.emplace_back("fields", fmt::format("{}", fmt::join(options.fields, ",")));
+  if (!options.particle_columns.empty())
+    lines.emplace_back("particle columns", fmt::format("{}", fmt::join(options.particle_columns, ",")));
+  if (!options.contact_columns.empty())
+    lines.emplace_back("contact columns", fmt::format("{}", fmt::join(options.contact_columns, ",")));
   lines.emplace_back("frames", fmt::format("{}, steps {} to {}", frames, range.first_step, range.last_step));
   if (options.edges.empty()) {
     lines.emplace_back("rings",
@@ -148,23 +180,15 @@ Preamble preamble_of(const AverageOptions& options, const FrameSource& source, c
 }
 
 void average(const AverageOptions& options) {
-  check_out(options.out);
   const AveragingOptions averaging{options.bulk_types, branch_of(options.branch)};
   const Averager averager(volumes_of(options), make_weight(options.weight), make_fields(options.fields),
                           averaging);
   const FrameSource source = source_of(options, averager);
-  std::unique_ptr<OutputFile> file;
-  if (options.out != "-") file = std::make_unique<OutputFile>(options.out);
-
+  Outputs outputs(options.out);
   FrameRange range;
   const TimeAverage sums = sum_frames(source, averager, options.quiet, range);
   const Table table = averager.solve(sums.mean());
-  const std::string text = csv_text(preamble_of(options, source, range, sums.frames()), table);
-  if (file) {
-    file->commit(text);
-  } else {
-    fmt::print("{}", text);
-  }
+  outputs.commit(csv_text(preamble_of(options, source, range, sums.frames()), table));
 }
 
 }  // namespace

@@ -34,17 +34,25 @@ ColumnMap map_contacts(const DumpHeader& header, const std::vector<std::string>&
   return map;
 }
 
+// What was only guessed to be our columns needs the way out in its message.
+std::string with_hint(std::string_view what, bool guessed) {
+  return fmt::format("{}{}", what,
+                     guessed ? " (not the columns of compute contact/disc? give --contact-columns)" : "");
+}
+
 void check_row(const ContactRow& row, const ColumnMap& map, bool guessed, const Place& place) {
-  // What was only guessed to be our columns needs the way out in its message.
-  const std::string_view hint =
-      guessed ? " (not the columns of compute contact/disc? give --contact-columns)" : "";
-  for (const auto& [column, name] :
-       {std::pair{ContactColumn::id1, "id1"}, std::pair{ContactColumn::id2, "id2"}})
-    as_integer(row[column], fmt::format("{}{}", name, hint), place);
+  for (const ContactColumn column : {ContactColumn::id1, ContactColumn::id2}) {
+    const double id = row[column];
+    if (!is_integer(id))
+      throw bad_input(place, with_hint("an id is no whole number", guessed), "a whole number",
+                      fmt::format("{}", id));
+  }
   if ((normal_columns & ~map.given) != 0) return;
-  const double length = std::hypot(row[ContactColumn::nx], row[ContactColumn::ny]);
-  if (std::abs(length - 1) > unit_tolerance) {
-    throw bad_input(place, fmt::format("the normal is no unit vector{}", hint), "length 1 within 1e-5",
+  const double x = row[ContactColumn::nx];
+  const double y = row[ContactColumn::ny];
+  const double length = std::sqrt(x * x + y * y);
+  if (!(std::abs(length - 1) <= unit_tolerance)) {
+    throw bad_input(place, with_hint("the normal is no unit vector", guessed), "length 1 within 1e-5",
                     fmt::format("{}", length));
   }
 }
@@ -75,6 +83,7 @@ ContactRows read_contacts(DumpReader& dump, const DumpHeader& header, const std:
     check_row(row, map, guessed, dump.place());
     contacts.rows.push_back(row);
   }
+  dump.end_frame();
   return contacts;
 }
 

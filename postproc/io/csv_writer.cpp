@@ -19,11 +19,12 @@ std::string csv_text(const Preamble& preamble, const Table& table) {
     fmt::format_to(std::back_inserter(text), "# column {} [{}] ({}) {}\n", column.name, column.unit,
                    column.equation, column.text);
   }
-  for (std::size_t i = 0; i < table.columns.size(); ++i) text += (i > 0 ? "," : "") + table.columns[i].name;
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    text.append(i > 0 ? "," : "").append(table.columns[i].name);
   text += '\n';
   for (Eigen::Index row = 0; row < table.rows.rows(); ++row) {
     for (Eigen::Index i = 0; i < table.rows.cols(); ++i)
-      text += (i > 0 ? "," : "") + number_text(table.rows(row, i));
+      text.append(i > 0 ? "," : "").append(number_text(table.rows(row, i)));
     text += '\n';
   }
   return text;

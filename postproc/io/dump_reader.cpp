@@ -15,26 +15,39 @@ constexpr std::string_view box_bounds = "BOX BOUNDS";
 
 bool DumpReader::next_header(DumpHeader& header) {
   while (rows_left_ > 0) next_row();
-  std::string_view line;
-  do {
-    if (!lines_.next(line)) {
-      if (lines_.line() == 0) throw bad_input({file()}, "the file is empty", "a text dump", "no line");
-      return false;
-    }
-  } while (line.empty() && lines_.line() > 1);
+  end_frame();
+  std::string_view line = ahead_;
+  if (line.empty()) {
+    if (lines_.line() == 0) throw bad_input({file()}, "the file is empty", "a text dump", "no line");
+    return false;
+  }
   // LAMMPS writes the units before the first frame and the time before the step when asked to.
   while (line == "ITEM: UNITS" || line == "ITEM: TIME") {
     header_line("a value");
     line = header_line("'ITEM: TIMESTEP'");
   }
-  if (line != "ITEM: TIMESTEP")
-    throw bad_input(place(), "not the start of a frame", "'ITEM: TIMESTEP' or the end of the file",
-                    in_quotes(line));
+  if (line != "ITEM: TIMESTEP") throw not_a_frame(line);
+  ahead_.clear();
   header = DumpHeader{};
   header.step = count_line("time step");
   while (read_item(header_line("'ITEM: '"), header)) {
   }
   return true;
+}
+
+void DumpReader::end_frame() {
+  std::string_view line;
+  while (ahead_.empty() && lines_.next(line)) {
+    // Empty lines may end a file.
+    if (line.empty() && lines_.line() > 1) continue;
+    if (!line.starts_with(item_mark)) throw not_a_frame(line);
+    ahead_ = line;
+  }
+}
+
+Error DumpReader::not_a_frame(std::string_view line) const {
+  return bad_input(place(), "not the start of a frame", "'ITEM: TIMESTEP' or the end of the file",
+                   in_quotes(line));
 }
 
 std::string_view DumpReader::header_line(std::string_view expected) {

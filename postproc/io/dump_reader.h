@@ -35,11 +35,16 @@ class DumpReader {
   /// The next row of the frame; to be called at most header.rows times.
   std::string_view next_row();
 
+  /// To be called after the last row: what follows must be another frame or the end of the file, so that a
+  /// count that is too small drops no row silently. Invalidates the last row.
+  void end_frame();
+
   Place place() const { return lines_.place(); }
   const std::string& file() const { return lines_.file(); }
   std::int64_t bytes_read() const { return lines_.bytes_read(); }
 
  private:
+  Error not_a_frame(std::string_view line) const;
   std::string_view header_line(std::string_view expected);
   std::int64_t count_line(std::string_view what);
   void read_box(std::string_view flags, Box& box);
@@ -48,6 +53,7 @@ class DumpReader {
   LineReader lines_;
   std::int64_t rows_ = 0;
   std::int64_t rows_left_ = 0;
+  std::string ahead_;  ///< the first line of the next frame, where end_frame has read it
 };
 
 }  // namespace mikromakro

@@ -67,6 +67,7 @@ std::vector<Particle> read_particles(DumpReader& dump, const DumpHeader& header,
     parse_row(line, map, slots, dump.place());
     particles.push_back(particle_of(slots, map, dump.place()));
   }
+  dump.end_frame();
   return particles;
 }
 

@@ -43,8 +43,12 @@ double parse_number(std::string_view word, const Place& place) {
   return number;
 }
 
+bool is_integer(double number) {
+  return number == std::floor(number) && std::abs(number) <= largest_integer;
+}
+
 std::int64_t as_integer(double number, std::string_view what, const Place& place) {
-  if (number != std::floor(number) || std::abs(number) > largest_integer)
+  if (!is_integer(number))
     throw bad_input(place, fmt::format("{} is not a whole number", what), "a whole number",
                     fmt::format("{}", number));
   return static_cast<std::int64_t>(number);

@@ -23,6 +23,7 @@ double parse_number(std::string_view word, const Place& place);
 /// A whole number. Throws for anything else. Accepts whole numbers written as floating point (1e+06), as the
 /// %g format of the engines' local dumps does.
 std::int64_t parse_integer(std::string_view word, const Place& place);
+bool is_integer(double number);
 std::int64_t as_integer(double number, std::string_view what, const Place& place);
 
 /// Parses one row; slots that no column fills are left as they are. Throws on too few or too many columns and
