@@ -38,6 +38,7 @@ std::vector<Frame> read_all(const FrameSource& source) {
 
 std::vector<std::int64_t> steps_of(const std::vector<Frame>& frames) {
   std::vector<std::int64_t> steps;
+  steps.reserve(frames.size());
   for (const Frame& frame : frames) steps.push_back(frame.step);
   return steps;
 }
