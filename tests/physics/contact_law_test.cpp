@@ -52,6 +52,7 @@ TEST(ViscousCoulomb, BothBranchesOfEquation1OpposeTheSlip) {
 TEST(ViscousCoulomb, CapTakesTheMagnitudeOfTheTotalNormalForce) {
   // v_n = -1: f_n = 2 - 4 = -2, cap 1; v_n = 0.25: f_n = 3, cap 1.5; cut off: f_n = 0, no friction.
   EXPECT_NEAR(force<Tangential::viscous_coulomb>({overlap, -1, 1, 0}).f_t, -1, rounding);
+  EXPECT_NEAR(force<Tangential::viscous_coulomb>({overlap, -1, 0.05, 0}).f_t, -0.4, rounding);
   EXPECT_NEAR(force<Tangential::viscous_coulomb>({overlap, 0.25, 1, 0}).f_t, -1.5, rounding);
   EXPECT_EQ((force<Tangential::viscous_coulomb, true>({overlap, -1, 1, 0}).f_t), 0);
 }
@@ -61,6 +62,8 @@ TEST(Spring, SticksBelowTheCap) {
   const auto f = force<Tangential::spring>({overlap, 0, 3, 0.0005});
   EXPECT_NEAR(f.xi, 0.0008, 1e-18);
   EXPECT_NEAR(f.f_t, -0.4, rounding);
+  // While the dashpot attracts, f_n = -2, the cap is 1 as well.
+  EXPECT_NEAR(force<Tangential::spring>({overlap, -1, 3, 0.0005}).f_t, -0.4, rounding);
 }
 
 TEST(Spring, SlidesAtTheCapAndIsLeftAtTheCap) {
