@@ -20,7 +20,7 @@ constexpr double rounding = 1e-15;  // of numbers of order 1
 
 template <Tangential tangential, bool no_attraction = false>
 ContactForce force(const ContactState& state, double time = dt) {
-  return contact_force<Effects{tangential, no_attraction}>(parameters, state, time);
+  return contact_force<Effects{tangential, no_attraction}>(parameters, state, state.v_t * time);
 }
 
 TEST(NormalForce, IsSpringPlusDashpotOnTheRateOfTheOverlap) {
@@ -55,6 +55,25 @@ TEST(ViscousCoulomb, CapTakesTheMagnitudeOfTheTotalNormalForce) {
   EXPECT_NEAR(force<Tangential::viscous_coulomb>({overlap, -1, 0.05, 0}).f_t, -0.4, rounding);
   EXPECT_NEAR(force<Tangential::viscous_coulomb>({overlap, 0.25, 1, 0}).f_t, -1.5, rounding);
   EXPECT_EQ((force<Tangential::viscous_coulomb, true>({overlap, -1, 1, 0}).f_t), 0);
+}
+
+TEST(Slip, OfAStepIsTheOneOfVelocityVerlet) {
+  // Any accelerations a_k of the slip: v_(k+1/2) = v_(k-1/2) + a_k dt, predicted v_(k+1) = v_(k+1/2) + a_k dt
+  // / 2.
+  double half_step = 1, slip_rate = 1;
+  for (const double kick : {0.3, -0.2, 0.05, 1.7}) {
+    half_step += kick;
+    slip_rate = slip_rate_of_half_step(slip_rate, half_step + kick / 2);
+    EXPECT_NEAR(slip_rate, half_step, 2 * rounding);
+  }
+}
+
+TEST(Slip, OfTheFirstStepStartsWhereTheDiscsTouched) {
+  // overlap / v_n = 0.25 dt, or longer ago than a step: then dt; where the discs separate already: dt.
+  EXPECT_NEAR(slip_since_onset({0.25 * dt * 3, 3, 7, 0}, dt), 7 * 0.25 * dt, 1e-19);
+  EXPECT_NEAR(slip_since_onset({5 * dt * 3, 3, 7, 0}, dt), 7 * dt, 1e-19);
+  EXPECT_NEAR(slip_since_onset({0.25 * dt * 3, -3, 7, 0}, dt), 7 * dt, 1e-19);
+  EXPECT_NEAR(slip_since_onset({0.25 * dt * 3, 0, 7, 0}, dt), 7 * dt, 1e-19);
 }
 
 TEST(Spring, SticksBelowTheCap) {
