@@ -4,6 +4,9 @@
 #include <mpi.h>
 
 #include "compute_contact_disc.h"
+#include "create_discs.h"
+#include "create_ring.h"
+#include "fix_couette_2d.h"
 #include "fix_nve_disc.h"
 #include "lammps.h"
 #include "mikromakro_version.h"
@@ -28,9 +31,11 @@ void run_command(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) {
   T(engine).command(narg, arg);
 }
 
-const std::map<std::string, FixCreator> fixes = {{"nve/disc", make_fix<FixNveDisc>}};
+const std::map<std::string, FixCreator> fixes = {{"couette/2d", make_fix<FixCouette2d>},
+                                                 {"nve/disc", make_fix<FixNveDisc>}};
 const std::map<std::string, ComputeCreator> computes = {{"contact/disc", make_compute<ComputeContactDisc>}};
-const std::map<std::string, CommandCreator> commands = {};
+const std::map<std::string, CommandCreator> commands = {{"create_discs", run_command<CreateDiscs>},
+                                                        {"create_ring", run_command<CreateRing>}};
 
 template <class Creator>
 void append_names(std::string& text, const char* kind, const std::map<std::string, Creator>& styles) {

@@ -86,7 +86,7 @@ const char* const laws[] = {"tangential off", "tangential disc/viscous", "tangen
 // On two ranks both sides evaluate a contact across the border with normals from differences of the same
 // positions: opposite exactly, or off by rounding where a periodic image is shifted by the box (1e-16 of the
 // box is 1e-12 of an overlap).
-constexpr double rounding = 1e-12;
+constexpr double rounding = 3e-14;
 
 class Conservation : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(OfEachLaw, Conservation, testing::ValuesIn(laws),
@@ -117,7 +117,7 @@ TEST_P(Conservation, OfAngularMomentumInACollapsingCluster) {
   const auto discs = engine.discs();
   const auto after = momenta(discs);
   ASSERT_EQ(discs.size(), 200U);
-  EXPECT_GT(engine.contacts().size(), 100U);  // it has collapsed
+  EXPECT_GT(engine.contacts().size(), 30U);  // it has collapsed
   std::printf("%s: angular momentum off by %.1e of its magnitudes\n", GetParam(),
               (after.angular - before.angular) / scale.angular);
   EXPECT_NEAR(after.p_x, before.p_x, rounding * scale.p_x);
@@ -135,7 +135,7 @@ double energy(const Engine& engine) {
   return sum;
 }
 
-/// Largest relative deviation of the energy of an elastic gas within 0.02 s, looked at 20 times.
+/// Largest relative deviation of the energy of an elastic gas within 0.04 s, looked at 400 times.
 double energy_deviation(double dt) {
   std::mt19937 raw(3);
   Engine engine;
@@ -145,8 +145,8 @@ double energy_deviation(double dt) {
       fmt::format("fix integrate all nve/disc\ncompute contacts all contact/disc\ntimestep {}\nrun 0\n", dt));
   const double start = energy(engine);
   double largest = 0;
-  for (int look = 0; look < 20; ++look) {
-    engine.run(fmt::format("run {}\n", std::lround(1e-3 / dt)));
+  for (int look = 0; look < 400; ++look) {
+    engine.run(fmt::format("run {}\n", std::lround(1e-4 / dt)));
     largest = std::max(largest, std::abs(energy(engine) / start - 1));
   }
   return largest;

@@ -1,0 +1,177 @@
+#include "fix_couette_2d.h"
+
+#include <mpi.h>
+
+#include "atom.h"
+#include "domain.h"
+#include "memory.h"
+#include "update.h"
+
+namespace mikromakro::liggghts {
+
+FixCouette2d::FixCouette2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg) {
+  time_integrate = 1;
+  restart_global = 1;
+  restart_peratom = 1;
+  scalar_flag = vector_flag = 1;
+  size_vector = 9;
+  global_freq = 1;
+  extscalar = extvector = 0;
+  // New atoms have no reference yet; but the engine must not clear the references of all atoms in the first
+  // set-up of a fix that it takes for just created.
+  create_attribute = 1;
+  just_created = 0;
+
+  if (domain->dimension != 2) stop(*lmp, style, "expected 'dimension 2', got dimension 3");
+  if (!atom->radius_flag || !atom->omega_flag || !atom->torque_flag)
+    stop(*lmp, style, "expected an atom style with radius, omega and torque, such as granular");
+  Arguments arguments(*lmp, style, narg, arg, 3);
+  settings_ = parse_couette(*lmp, arguments);
+  clock_ = physics::StepClock(0.0, update->ntimestep, update->dt);
+
+  grow_arrays(atom->nmax);
+  for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
+  atom->add_callback(0);
+  atom->add_callback(1);
+}
+
+FixCouette2d::~FixCouette2d() {
+  atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
+  memory->destroy(references_);
+}
+
+int FixCouette2d::setmask() {
+  // PRE_EXCHANGE only so that the engine calls setup_pre_exchange.
+  return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::PRE_EXCHANGE;
+}
+
+// After the state of a restart file, if there is one, has been taken over.
+void FixCouette2d::post_create() {
+  check_groups();
+  check_radii();
+  adopt_new_wall_discs();
+}
+
+void FixCouette2d::init() {
+  follow_time_step(update->ntimestep);
+  check_groups();
+  check_radii();
+  adopt_new_wall_discs();
+}
+
+// Velocities at the start of a run, before ghosts get theirs. Positions are left alone: they are right
+// already, or check_radii has stopped the run. Forces will be evaluated anew, perhaps with another law:
+// averages that are taken in the set-up, maybe before this fix's own, must not get the loads of the last
+// run's end.
+void FixCouette2d::setup_pre_exchange() {
+  place_wall_discs(update->ntimestep, true);
+  step_of_loads_ = -1;
+}
+
+void FixCouette2d::setup(int) {
+  step_of_loads_ = -1;
+}
+
+void FixCouette2d::initial_integrate(int) {
+  follow_time_step(update->ntimestep - 1);
+  place_wall_discs(update->ntimestep, false);
+}
+
+void FixCouette2d::reset_dt() {
+  follow_time_step(update->ntimestep);
+}
+
+void FixCouette2d::reset_timestep(LAMMPS_NS::bigint newstep, LAMMPS_NS::bigint oldstep) {
+  clock_.shift_steps(newstep - oldstep);
+  step_of_loads_ = -1;
+}
+
+FixCouette2d::Rings FixCouette2d::rings_at(LAMMPS_NS::bigint step) const {
+  const double time = clock_.time_at(step);
+  return {settings_.rings[0].motion.at(time), settings_.rings[1].motion.at(time)};
+}
+
+int FixCouette2d::ring_of(int i) const {
+  if (atom->mask[i] & settings_.rings[0].group_bit) return 0;
+  if (atom->mask[i] & settings_.rings[1].group_bit) return 1;
+  return -1;
+}
+
+physics::PlaneVector FixCouette2d::from_centre(int i) const {
+  return {atom->x[i][0] - settings_.centre.x, atom->x[i][1] - settings_.centre.y};
+}
+
+// The command `timestep` tells no fix.
+void FixCouette2d::follow_time_step(LAMMPS_NS::bigint step) {
+  if (update->dt != clock_.dt()) clock_.change_step_length(step, update->dt);
+}
+
+void FixCouette2d::place_wall_discs(LAMMPS_NS::bigint step, bool velocities_only) {
+  const Rings rings = rings_at(step);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const int side = ring_of(i);
+    if (side < 0) continue;
+    const physics::WallDiscState disc =
+        physics::wall_disc_state(rings[side], {references_[i][0], references_[i][1]});
+    if (!velocities_only) {
+      atom->x[i][0] = settings_.centre.x + disc.position.x;
+      atom->x[i][1] = settings_.centre.y + disc.position.y;
+    }
+    atom->v[i][0] = disc.velocity.x;
+    atom->v[i][1] = disc.velocity.y;
+    atom->omega[i][2] = rings[side].rotation_rate;
+  }
+}
+
+const FixCouette2d::Loads& FixCouette2d::loads() {
+  if (step_of_loads_ == update->ntimestep) return loads_;
+  loads_ = {};
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const int side = ring_of(i);
+    if (side >= 0) loads_[side].add(from_centre(i), {atom->f[i][0], atom->f[i][1]}, atom->torque[i][2]);
+  }
+  static_assert(sizeof(Loads) == 4 * sizeof(double));
+  MPI_Allreduce(MPI_IN_PLACE, loads_.data(), 4, MPI_DOUBLE, MPI_SUM, world);
+  step_of_loads_ = update->ntimestep;
+  return loads_;
+}
+
+double FixCouette2d::compute_scalar() {
+  return compute_vector(0);
+}
+
+double FixCouette2d::compute_vector(int i) {
+  const Rings rings = rings_at(update->ntimestep);
+  const auto pressure = [&](physics::RingSide side, int k) {
+    return physics::ring_pressure(side, loads()[k], rings[k].radius, settings_.height);
+  };
+  switch (i) {
+    case 0:
+      return loads()[0].torque;
+    case 1:
+      return loads()[1].torque;
+    case 2:
+      return pressure(physics::RingSide::inner, 0);
+    case 3:
+      return pressure(physics::RingSide::outer, 1);
+    case 4:
+      return rings[0].angle;
+    case 5:
+      return rings[1].angle;
+    case 6:
+      return rings[1].radius;
+    case 7:
+      return rings[1].radial_velocity;
+    case 8:
+      return physics::ring_power(loads()[0], rings[0].rotation_rate);
+    default:
+      return 0.0;
+  }
+}
+
+double FixCouette2d::memory_usage() {
+  return 2.0 * atom->nmax * sizeof(double);
+}
+
+}  // namespace mikromakro::liggghts

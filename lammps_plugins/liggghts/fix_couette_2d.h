@@ -1,0 +1,91 @@
+// fix ID group couette/2d center X Y inner rough GROUP R_I outer rough GROUP R_O omega_inner W
+//                        [omega_outer W] [compact R_END TIME] [height H]
+//
+// The rings of a 2D Couette shear cell about (X, Y) (m). Rough rings: the wall discs of the two groups, with
+// their centres on the circles of radius R_I and R_O (m). Their positions and velocities are functions of
+// time only (physics/ring_motion.h): nothing is summed up, whatever the forces. W: rotation rates (1/s,
+// counter-clockwise positive). `compact`: the outer radius goes from R_O to R_END (m) within TIME (s) along a
+// half cosine. `group` has to hold both rings and no disc that another fix integrates. Keywords may stand in
+// any order.
+//
+// A new fix takes the present angles of the wall discs as its zero. Time goes on over several runs, changes
+// of the time step and restart files.
+//
+// Scalar: the wheel torque, f_ID[1]. Vector (of the last force evaluation; gathered only when asked for):
+//   1  torque of the discs on the inner ring (the wheel) about the centre, N m; counter-clockwise positive,
+//      so it is negative where the wheel turns counter-clockwise against resistance, T = 2 pi r^2 h
+//      sigma_phir
+//   2  the same for the outer ring
+//   3  pressure on the inner ring: the force that pushes it away from the discs over 2 pi R_I, N/m; over 2 pi
+//   R_I H,
+//      Pa, where a height H (m) is given; positive in compression
+//   4  the same for the outer ring
+//   5  angle turned by the inner ring, rad        6  by the outer ring
+//   7  radius of the outer ring, m                8  its rate, m/s
+//   9  power that the wheel feeds into the discs, W
+#pragma once
+
+#include <array>
+
+#include "couette_settings.h"
+#include "fix.h"
+#include "physics/ring_load.h"
+#include "physics/ring_motion.h"
+#include "physics/step_clock.h"
+
+namespace mikromakro::liggghts {
+
+class FixCouette2d : public LAMMPS_NS::Fix {
+ public:
+  FixCouette2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+  ~FixCouette2d() override;
+  FixCouette2d(const FixCouette2d&) = delete;
+  FixCouette2d& operator=(const FixCouette2d&) = delete;
+
+  int setmask() override;
+  void post_create() override;
+  void init() override;
+  void setup_pre_exchange() override;
+  void setup(int vflag) override;
+  void initial_integrate(int vflag) override;
+  void reset_dt() override;
+  void reset_timestep(LAMMPS_NS::bigint newstep, LAMMPS_NS::bigint oldstep) override;
+  double compute_scalar() override;
+  double compute_vector(int i) override;
+  double memory_usage() override;
+
+  void grow_arrays(int nmax) override;
+  void copy_arrays(int i, int j, int delflag) override;
+  void set_arrays(int i) override;
+  int pack_exchange(int i, double* buf) override;
+  int unpack_exchange(int nlocal, double* buf) override;
+
+  void write_restart(FILE* fp) override;
+  void restart(char* buf) override;
+  int pack_restart(int i, double* buf) override;
+  void unpack_restart(int nlocal, int nth) override;
+  int size_restart(int nlocal) override;
+  int maxsize_restart() override;
+
+ private:
+  using Rings = std::array<physics::RingState, 2>;  // inner, outer
+  using Loads = std::array<physics::RingLoad, 2>;
+
+  [[nodiscard]] Rings rings_at(LAMMPS_NS::bigint step) const;
+  [[nodiscard]] int ring_of(int i) const;  // 0 inner, 1 outer, -1 no wall disc
+  [[nodiscard]] physics::PlaneVector from_centre(int i) const;
+  void follow_time_step(LAMMPS_NS::bigint step);
+  void check_groups();
+  void check_radii();
+  void adopt_new_wall_discs();
+  void place_wall_discs(LAMMPS_NS::bigint step, bool velocities_only);
+  const Loads& loads();
+
+  CouetteSettings settings_;
+  physics::StepClock clock_;
+  double** references_ = nullptr;  // per atom: unit vector of the reference angle; zero: none yet
+  Loads loads_;
+  LAMMPS_NS::bigint step_of_loads_ = -1;
+};
+
+}  // namespace mikromakro::liggghts

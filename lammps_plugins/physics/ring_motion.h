@@ -1,0 +1,79 @@
+// Prescribed motion of a ring of wall discs: rotation at a constant rate about a fixed centre and a radius
+// that may change smoothly from one value to another.
+//
+// The position of a wall disc is a function of time only, x(t) = c + R(t) Q(theta(t)) u, with u the unit
+// vector of its reference angle, Q the rotation by theta(t) = theta_0 + omega t. Nothing is summed from step
+// to step.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "physics/plane_vector.h"
+
+namespace mikromakro::physics {
+
+// R(t) = R_end + (R_start - R_end)/2 (1 + cos(pi t/T)) for t < T, then R_end (m); the rate is zero at both
+// ends, so that the wall neither hits nor leaves the discs at once. T = 0: the radius is R_end from the
+// start.
+struct RadiusCourse {
+  double start = 0.0;     // m
+  double end = 0.0;       // m
+  double duration = 0.0;  // s
+
+  [[nodiscard]] double radius(double time) const {
+    if (time >= duration) return end;
+    return end + 0.5 * (start - end) * (1.0 + std::cos(std::numbers::pi * time / duration));
+  }
+  // dR/dt (m/s)
+  [[nodiscard]] double rate(double time) const {
+    if (time >= duration) return 0.0;
+    const double frequency = std::numbers::pi / duration;
+    return 0.5 * (end - start) * frequency * std::sin(frequency * time);
+  }
+};
+
+// A ring at one instant; made once per ring and step, used for all its discs.
+struct RingState {
+  double angle = 0.0;   // theta (rad)
+  double cosine = 1.0;  // of theta
+  double sine = 0.0;
+  double rotation_rate = 0.0;    // omega (1/s), counter-clockwise positive
+  double radius = 0.0;           // R (m)
+  double radial_velocity = 0.0;  // dR/dt (m/s)
+};
+
+struct RingMotion {
+  RadiusCourse course;
+  double rotation_rate = 0.0;  // omega (1/s)
+  double angle_offset = 0.0;   // theta_0 (rad)
+
+  [[nodiscard]] RingState at(double time) const {
+    const double angle = angle_offset + rotation_rate * time;
+    return {angle, std::cos(angle), std::sin(angle), rotation_rate, course.radius(time), course.rate(time)};
+  }
+};
+
+struct WallDiscState {
+  PlaneVector position;  // relative to the centre (m)
+  PlaneVector velocity;  // omega x r + dR/dt e_r (m/s), of the same instant as the position
+};
+
+inline WallDiscState wall_disc_state(const RingState& ring, const PlaneVector& reference) {
+  const PlaneVector radial{ring.cosine * reference.x - ring.sine * reference.y,
+                           ring.sine * reference.x + ring.cosine * reference.y};
+  const double tangential_velocity = ring.rotation_rate * ring.radius;
+  return {{ring.radius * radial.x, ring.radius * radial.y},
+          {ring.radial_velocity * radial.x - tangential_velocity * radial.y,
+           ring.radial_velocity * radial.y + tangential_velocity * radial.x}};
+}
+
+// The unit vector u of a disc that is at `position` (relative to the centre, not zero) when the ring has
+// turned as far as `ring` says: the inverse of wall_disc_state.
+inline PlaneVector reference_direction(const RingState& ring, const PlaneVector& position) {
+  const double distance = std::hypot(position.x, position.y);
+  return {(ring.cosine * position.x + ring.sine * position.y) / distance,
+          (ring.cosine * position.y - ring.sine * position.x) / distance};
+}
+
+}  // namespace mikromakro::physics

@@ -1,0 +1,13 @@
+// The verbs of the program: each adds its options to the command line and gives back what to do when it is
+// chosen.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace mikromakro {
+
+void add_average_command(CLI::App& program);
+void add_info_command(CLI::App& program);
+void add_fit_command(CLI::App& program);
+
+}  // namespace mikromakro

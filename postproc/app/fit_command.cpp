@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "app/commands.h"
+#include "fit/exponential_profile.h"
+#include "io/csv_reader.h"
+#include "io/error.h"
+#include "io/json_object.h"
+
+namespace mikromakro {
+namespace {
+
+struct FitOptions {
+  std::string file, column = "v_phi";
+  std::vector<double> range;
+  double ri = std::nan("");
+  double omega = std::nan("");
+  bool json = false;
+};
+
+struct FitResult {
+  ExponentialProfile profile;
+  double r_i = 0;
+  double scale = 0;  // Omega R_i, nan when --omega is not given
+};
+
+FitResult fit_file(const FitOptions& options) {
+  const CsvTable table(options.file);
+  ProfilePoints points{table.column("r"), table.column(options.column), {}};
+  const std::string error = options.column + "_err";
+  if (table.has(error)) points.error = table.column(error);
+  if (table.rows() == 0) throw bad_input({options.file}, "the table is empty", "rows of numbers", "none");
+  if (options.range.size() == 2) {
+    const bool ordered = options.range[0] < options.range[1];
+    if (!ordered) throw bad_input({"--range"}, "the range is empty", "R1 < R2", "others");
+    const auto inside = points.r >= options.range[0] && points.r <= options.range[1];
+    points.v = inside.select(points.v, std::nan("")).eval();
+  }
+  FitResult result;
+  result.r_i = std::isnan(options.ri) ? table.column("r_inner")[0] : options.ri;
+  if (options.omega == 0)
+    throw bad_input({"--omega"}, "the wheel does not turn", "a rate that is not 0", "0");
+  result.scale = options.omega * result.r_i;
+  result.profile = fit_exponential(points, result.r_i);
+  return result;
+}
+
+Estimate scaled(const Estimate& v0, double scale) {
+  const Estimate by{v0.value / scale, v0.low / scale, v0.high / scale};
+  return scale < 0 ? Estimate{by.value, by.high, by.low} : by;
+}
+
+void print_json(const FitOptions& options, const FitResult& result) {
+  JsonObject json;
+  const auto add = [&json](const std::string& key, const Estimate& estimate) {
+    json.add(key, estimate.value);
+    json.add(key + "_low", estimate.low);
+    json.add(key + "_high", estimate.high);
+  };
+  add("v0", result.profile.v0);
+  add("s", result.profile.s);
+  json.add("r_i", result.r_i);
+  json.add("omega", options.omega);
+  add("v0_scaled", scaled(result.profile.v0, result.scale));
+  json.add("rings", std::int64_t{result.profile.points});
+  json.add("residual_rms", result.profile.residual_rms);
+  fmt::print("{}\n", json.text());
+}
+
+void print_text(const FitOptions& options, const FitResult& result) {
+  const auto line = [](std::string_view name, const Estimate& estimate, std::string_view unit) {
+    fmt::print("{} = {:.6g} {} (95 %: {:.6g} to {:.6g})\n", name, estimate.value, unit, estimate.low,
+               estimate.high);
+  };
+  fmt::print("{}(r) = v0 exp(-(r - R_i)/s), R_i = {:.6g} m, {} rings\n", options.column, result.r_i,
+             result.profile.points);
+  line("v0", result.profile.v0, "m/s");
+  line("s", result.profile.s, "m");
+  if (!std::isnan(result.scale)) line("v0/(Omega R_i)", scaled(result.profile.v0, result.scale), "");
+  fmt::print("rms of the residuals = {:.6g} m/s\n", result.profile.residual_rms);
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("fit", "exponential velocity profile v0 exp(-(r - R_i)/s)");
+  auto options = std::make_shared<FitOptions>();
+  app->add_option("file", options->file, "table of `mikromakro average`")->required();
+  app->add_option("--column", options->column, "column to fit, default v_phi");
+  app->add_option("--range", options->range, "R1 R2: rings with R1 <= r <= R2 only (m)")->expected(2);
+  app->add_option("--ri", options->ri, "R_i (m), default r_inner of the first ring");
+  app->add_option("--omega", options->omega, "rate of rotation of the wheel (rad/s), for v0/(Omega R_i)");
+  app->add_flag("--json", options->json, "print JSON");
+  app->callback([options] {
+    const FitResult result = fit_file(*options);
+    options->json ? print_json(*options, result) : print_text(*options, result);
+  });
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,58 @@
+// mikromakro: continuum fields from discs and contacts.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+#include "io/error.h"
+
+namespace {
+
+constexpr int exit_done = 0;
+constexpr int exit_failed = 1;
+constexpr int exit_bad_input = 2;
+
+int complain(std::string message, int code) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  fmt::print(stderr, "mikromakro: {}\n", message);
+  return code;
+}
+
+int run(int argc, char** argv) {
+  CLI::App program("Continuum fields from discs and contacts.", "mikromakro");
+  program.set_version_flag("--version", "mikromakro " MIKROMAKRO_VERSION);
+  program.require_subcommand(1);
+  mikromakro::add_average_command(program);
+  mikromakro::add_info_command(program);
+  mikromakro::add_fit_command(program);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return program.exit(error);
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    const std::string given = mikromakro::in_quotes(fmt::format("{}", fmt::join(arguments, " ")));
+    return complain(
+        fmt::format("command line: {}; expected what `mikromakro --help` lists, got {}", error.what(), given),
+        exit_bad_input);
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const mikromakro::Error& error) {
+    return complain(error.what(),
+                    error.kind() == mikromakro::Error::Kind::bad_input ? exit_bad_input : exit_failed);
+  } catch (const std::exception& error) {
+    return complain(error.what(), exit_failed);
+  }
+}

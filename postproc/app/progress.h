@@ -1,0 +1,27 @@
+// Progress bar on a terminal.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace mikromakro {
+
+/// Draws on stderr at most ten times a second; nothing where stderr is no terminal or `quiet`.
+class Progress {
+ public:
+  Progress(std::int64_t total_bytes, bool quiet);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void update(std::int64_t bytes, std::int64_t frames);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::int64_t total_;
+  bool shown_;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point last_ = begin_;
+};
+
+}  // namespace mikromakro

@@ -1,0 +1,56 @@
+// From discs and contacts to fields: the only loop over discs.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "averaging/contact_lists.h"
+#include "averaging/volumes.h"
+#include "averaging/weight.h"
+#include "fields/field_registry.h"
+#include "io/frame.h"
+
+namespace mikromakro {
+
+/// Where the branch vector of a contact ends: l = a_p n as in the seed, or at the contact point in the middle
+/// of the overlap.
+enum class Branch { radius, contact };
+
+/// Which discs are averaged, and how.
+struct AveragingOptions {
+  std::vector<int> bulk_types;  ///< empty: all; discs of other types are walls
+  Branch branch = Branch::radius;
+};
+
+/// Seed Eq. 4, Q = 1/V sum_p w^p V^p Q^p, for all volumes and fields at once.
+class Averager {
+ public:
+  Averager(std::unique_ptr<const Volumes> volumes, std::unique_ptr<const Weight> weight, FieldList fields,
+           const AveragingOptions& options);
+
+  /// sum_p w^p V^p Q^p of one frame: volumes x numbers, the fields' numbers side by side. Depends on the
+  /// frame only, so that frames can be summed apart from each other; discs are summed in the order of the
+  /// frame.
+  Rows frame_sums(const Frame& frame) const;
+
+  /// The fields' columns, after the columns that describe the volumes, from the mean of such sums.
+  Table solve(const Rows& mean_sums) const;
+
+  /// What the dumps must contain for the fields (and the branch) that were asked for.
+  ColumnSet particles_needed() const;
+  ColumnSet contacts_needed() const;
+  bool needs_contacts() const;
+
+ private:
+  struct Scratch;
+  bool is_bulk(const Particle& particle) const;
+  void collect(const Frame& frame, int particle, std::span<const ContactEnd> ends, Scratch& scratch) const;
+
+  std::unique_ptr<const Volumes> volumes_;
+  std::unique_ptr<const Weight> weight_;
+  FieldList fields_;
+  std::vector<std::size_t> offsets_;  ///< of each field's numbers; the last one is their total
+  AveragingOptions options_;
+};
+
+}  // namespace mikromakro

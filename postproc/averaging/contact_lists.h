@@ -1,0 +1,32 @@
+// The contacts of each disc of a frame.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "io/frame.h"
+
+namespace mikromakro {
+
+/// A contact as one of its discs has it.
+struct ContactEnd {
+  int contact;  ///< index in Frame::contacts
+  bool first;   ///< whether the disc is number 1 of the row
+};
+
+/// Lists by disc, each in the order of the rows: the order of all later sums.
+class ContactLists {
+ public:
+  explicit ContactLists(const Frame& frame);
+
+  std::span<const ContactEnd> of(int particle) const {
+    const auto index = static_cast<std::size_t>(particle);
+    return {ends_.data() + begin_[index], begin_[index + 1] - begin_[index]};
+  }
+
+ private:
+  std::vector<std::size_t> begin_;
+  std::vector<ContactEnd> ends_;
+};
+
+}  // namespace mikromakro

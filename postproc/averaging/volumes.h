@@ -1,0 +1,45 @@
+// The volumes over which is averaged: one of the three independent choices (volumes, weight, fields).
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "fields/field.h"
+
+namespace mikromakro {
+
+/// Share of a disc (or a point) in one volume.
+struct Share {
+  int volume;
+  double weight;
+};
+
+/// A list of volumes of thickness h, each with an area, and the basis in which tensors are written.
+class Volumes {
+ public:
+  Volumes() = default;
+  Volumes(const Volumes&) = delete;
+  Volumes& operator=(const Volumes&) = delete;
+  virtual ~Volumes() = default;
+
+  virtual int count() const = 0;
+  /// Thickness h (m).
+  virtual double height() const = 0;
+  /// V = area * h (m^3) of each volume.
+  virtual Eigen::ArrayXd measure() const = 0;
+  virtual Axes axes() const = 0;
+  /// Rotation whose rows are the two directions of the basis at a point (m).
+  virtual Eigen::Matrix2d basis(const Eigen::Vector2d& point) const = 0;
+
+  /// Appends the volumes that the disc touches with the part of its area in each, in ascending order.
+  virtual void slice(const Eigen::Vector2d& centre, double radius, std::vector<Share>& shares) const = 0;
+  /// The volume that holds the point, -1 for none.
+  virtual int find(const Eigen::Vector2d& point) const = 0;
+
+  /// Columns that tell where a volume lies, and their values.
+  virtual std::vector<Column> columns() const = 0;
+  virtual Rows coordinates() const = 0;
+};
+
+}  // namespace mikromakro

@@ -1,0 +1,21 @@
+#include "fields/solid_fraction.h"
+
+namespace mikromakro {
+
+std::vector<Column> SolidFraction::columns(const Axes& /*axes*/) const {
+  return {{"nu", "1", "seed Eq. 3", "solid fraction of all averaged discs"},
+          {"nu_1", "1", "seed Eq. 3", "solid fraction of discs with at least 1 contact"},
+          {"nu_2", "1", "seed Eq. 3", "solid fraction of discs with at least 2 contacts"},
+          {"nu_3", "1", "seed Eq. 3", "solid fraction of discs with at least 3 contacts"}};
+}
+
+void SolidFraction::add_disc(const Disc& disc, std::span<double> quantity) const {
+  for (int least = 0; least < sums(); ++least)
+    if (disc.contacts >= least) quantity[static_cast<std::size_t>(least)] += disc.volume;
+}
+
+void SolidFraction::solve(const VolumeData& volumes, const ConstRowsRef& sums, RowsRef columns) const {
+  columns = sums.colwise() / volumes.measure;
+}
+
+}  // namespace mikromakro

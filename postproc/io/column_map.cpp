@@ -1,0 +1,86 @@
+#include "io/column_map.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace mikromakro {
+namespace {
+
+// Columns of stock dumps that have no use in the plane, accepted so that a list can follow the stock names.
+constexpr std::string_view ignored_particle_names[] = {"z", "vz", "omegax", "omegay", "fx", "fy", "fz"};
+constexpr std::string_view ignored_contact_names[] = {"z1", "z2", "fz", "shearx", "sheary", "shearz"};
+
+static_assert(std::size(particle_column_names) == static_cast<std::size_t>(ParticleColumn::count));
+static_assert(std::size(contact_column_names) == static_cast<std::size_t>(ContactColumn::count));
+
+int slot_of(std::string_view name, const ColumnNames& names) {
+  const auto found = std::find(names.known.begin(), names.known.end(), name);
+  return found == names.known.end() ? -1 : static_cast<int>(found - names.known.begin());
+}
+
+void append(ColumnMap& map, int slot, std::string_view name, const Place& place) {
+  if (slot >= 0) {
+    const ColumnSet bit = ColumnSet{1} << static_cast<unsigned>(slot);
+    if ((map.given & bit) != 0)
+      throw bad_input(place, "column named twice", "each name once", in_quotes(name));
+    map.given |= bit;
+  }
+  map.slot_of_column.push_back(slot);
+}
+
+}  // namespace
+
+const ColumnNames& particle_names() {
+  static constexpr ColumnNames names{particle_column_names, ignored_particle_names, "--particle-columns"};
+  return names;
+}
+
+const ColumnNames& contact_names() {
+  static constexpr ColumnNames names{contact_column_names, ignored_contact_names, "--contact-columns"};
+  return names;
+}
+
+ColumnMap map_header(const std::vector<std::string>& header, const ColumnNames& names, const Place& place) {
+  ColumnMap map;
+  for (const std::string& name : header) append(map, slot_of(name, names), name, place);
+  return map;
+}
+
+ColumnMap map_option(const std::vector<std::string>& list, std::size_t columns, const ColumnNames& names,
+                     const Place& place) {
+  if (list.size() != columns) {
+    throw bad_input(place, fmt::format("{} does not fit the file", names.option),
+                    fmt::format("{} names", columns),
+                    list.size() == 1 ? "1 name" : fmt::format("{} names", list.size()));
+  }
+  ColumnMap map;
+  for (const std::string& name : list) {
+    const int slot = slot_of(name, names);
+    const bool skipped =
+        name == "-" || std::find(names.ignored.begin(), names.ignored.end(), name) != names.ignored.end();
+    if (slot < 0 && !skipped) {
+      throw bad_input({names.option}, "unknown column name",
+                      fmt::format("one of {} or -", fmt::join(names.known, " ")), in_quotes(name));
+    }
+    append(map, slot, name, {names.option});
+  }
+  return map;
+}
+
+void require_columns(const ColumnMap& map, ColumnSet needed, const ColumnNames& names, const Place& place) {
+  std::vector<std::string_view> missing;
+  std::vector<std::string_view> given;
+  for (std::size_t slot = 0; slot < names.known.size(); ++slot) {
+    const ColumnSet bit = ColumnSet{1} << slot;
+    if ((map.given & bit) != 0) given.push_back(names.known[slot]);
+    if ((needed & bit & ~map.given) != 0) missing.push_back(names.known[slot]);
+  }
+  if (missing.empty()) return;
+  throw bad_input(place, fmt::format("columns are missing (name them with {})", names.option),
+                  fmt::format("{}", fmt::join(missing, " ")),
+                  given.empty() ? "none that is known" : fmt::format("only {}", fmt::join(given, " ")));
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,85 @@
+// Which column of a dump holds which quantity.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/error.h"
+
+namespace mikromakro {
+
+/// Quantities of a particle row, by the names that LAMMPS and LIGGGHTS give them.
+enum class ParticleColumn { id, type, x, y, radius, vx, vy, omegaz, mass, count };
+inline constexpr std::string_view particle_column_names[] = {"id", "type", "x",      "y",   "radius",
+                                                             "vx", "vy",   "omegaz", "mass"};
+
+/// Quantities of a contact row: the columns of `compute contact/disc`, and the flag of stock LIGGGHTS.
+enum class ContactColumn {
+  id1,
+  id2,
+  x1,
+  y1,
+  x2,
+  y2,
+  nx,
+  ny,
+  overlap,
+  fx,
+  fy,
+  fn,
+  ft,
+  xi,
+  vn,
+  vt,
+  periodic,
+  count
+};
+inline constexpr std::string_view contact_column_names[] = {"id1", "id2", "x1",      "y1", "x2",      "y2",
+                                                            "nx",  "ny",  "overlap", "fx", "fy",      "fn",
+                                                            "ft",  "xi",  "vn",      "vt", "periodic"};
+/// Number of columns of `compute contact/disc`, the first ones of the list above.
+inline constexpr int contact_disc_columns = 16;
+
+/// A set of columns, one bit per enumerator.
+using ColumnSet = std::uint32_t;
+template <typename Column>
+constexpr ColumnSet column_bit(Column column) {
+  return ColumnSet{1} << static_cast<unsigned>(column);
+}
+template <typename... Columns>
+constexpr ColumnSet column_set(Columns... columns) {
+  return (column_bit(columns) | ...);
+}
+
+/// For each column of the file the slot (index of the quantity) that it fills, -1 for a column that nobody
+/// asks for.
+struct ColumnMap {
+  std::vector<int> slot_of_column;
+  ColumnSet given = 0;
+};
+
+/// What a kind of dump may contain.
+struct ColumnNames {
+  std::span<const std::string_view> known;    ///< by slot
+  std::span<const std::string_view> ignored;  ///< names that a user's list may contain without any use
+  std::string_view option;                    ///< the option that gives names where the file has none
+};
+const ColumnNames& particle_names();
+const ColumnNames& contact_names();
+
+/// Map from the names in the file's header; names that we do not know are skipped. Throws when one is there
+/// twice.
+ColumnMap map_header(const std::vector<std::string>& header, const ColumnNames& names, const Place& place);
+
+/// Map from the user's list, '-' for a column to skip. Throws when the list has another length than the
+/// header or a name that is unknown or there twice.
+ColumnMap map_option(const std::vector<std::string>& list, std::size_t columns, const ColumnNames& names,
+                     const Place& place);
+
+/// Throws, naming the missing columns, unless all of `needed` are given.
+void require_columns(const ColumnMap& map, ColumnSet needed, const ColumnNames& names, const Place& place);
+
+}  // namespace mikromakro

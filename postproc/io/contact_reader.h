@@ -1,0 +1,39 @@
+// Contact rows of one dump frame, as they stand in the file.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "io/column_map.h"
+#include "io/dump_reader.h"
+
+namespace mikromakro {
+
+/// One row, by ContactColumn; nan where the file has no such column.
+struct ContactRow {
+  std::array<double, static_cast<std::size_t>(ContactColumn::count)> value;
+
+  double operator[](ContactColumn column) const { return value[static_cast<std::size_t>(column)]; }
+};
+
+/// The rows of a frame; row i stands in line first_line + i.
+struct ContactRows {
+  std::vector<ContactRow> rows;
+  ColumnSet given = 0;
+  ColumnSet needed = 0;
+  std::string file;
+  std::int64_t first_line = 0;
+
+  bool has(ColumnSet columns) const { return (columns & ~given) == 0; }
+  Place place(std::size_t row) const { return {file, first_line + static_cast<std::int64_t>(row)}; }
+};
+
+/// Reads the rows below `header`. `list` are the names of --contact-columns (empty: the header's own, or the
+/// 16 columns of `compute contact/disc` where the header says c_X[1] ... c_X[16]); `needed` must be among
+/// them, except for normal and overlap, which can be derived. Throws: missing columns, and where a normal is
+/// given that is no unit vector within 1e-5 (the engines' %g keeps 6 digits).
+ContactRows read_contacts(DumpReader& dump, const DumpHeader& header, const std::vector<std::string>& list,
+                          ColumnSet needed);
+
+}  // namespace mikromakro

@@ -1,0 +1,35 @@
+// Tables in comma-separated text, as `mikromakro average` writes them.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mikromakro {
+
+/// A table of numbers by column names.
+class CsvTable {
+ public:
+  /// Reads `file`: lines with '#' first, a line of names, rows of numbers (nan allowed).
+  /// Throws: no names, names twice, a row with another number of columns, a value that is no number.
+  explicit CsvTable(const std::string& file);
+
+  const std::string& file() const { return file_; }
+  const std::vector<std::string>& names() const { return names_; }
+  Eigen::Index rows() const { return values_.rows(); }
+  bool has(std::string_view name) const;
+  /// Throws when there is no such column.
+  Eigen::ArrayXd column(std::string_view name) const;
+  /// Lines with '#', without it.
+  const std::vector<std::string>& comments() const { return comments_; }
+
+ private:
+  std::string file_;
+  std::int64_t names_line_ = 0;
+  std::vector<std::string> names_;
+  std::vector<std::string> comments_;
+  Eigen::ArrayXXd values_;
+};
+
+}  // namespace mikromakro

@@ -1,0 +1,56 @@
+// One snapshot in memory: discs and contacts as the averages see them, whatever file they came from.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <Eigen/Core>
+#include <limits>
+#include <vector>
+
+namespace mikromakro {
+
+inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+
+/// The simulation box in the plane (m); the third dimension of the dumps is ignored.
+struct Box {
+  Eigen::Vector2d low = Eigen::Vector2d::Zero();
+  Eigen::Vector2d high = Eigen::Vector2d::Zero();
+  std::array<bool, 2> periodic = {false, false};
+
+  Eigen::Vector2d length() const { return high - low; }
+};
+
+/// A disc; SI units. What a dump does not give is nan (type 0).
+struct Particle {
+  std::int64_t id = 0;
+  int type = 0;
+  Eigen::Vector2d position = {not_given, not_given};
+  double radius = not_given;
+  Eigen::Vector2d velocity = {not_given, not_given};
+  double spin = not_given;  ///< omega_z, rad/s, counter-clockwise positive
+  double mass = not_given;
+};
+
+/// A contact; SI units. The normal points from disc 1 to disc 2, the force acts on disc 1, overlap > 0 in
+/// contact.
+struct Contact {
+  std::int64_t id1 = 0;
+  std::int64_t id2 = 0;  ///< <= 0: a wall
+  int index1 = -1;       ///< of disc 1 in Frame::particles
+  int index2 = -1;       ///< of disc 2, -1 for a wall
+  Eigen::Vector2d normal = {not_given, not_given};
+  double overlap = not_given;
+  Eigen::Vector2d force = {not_given, not_given};
+  double spring = not_given;  ///< slip xi of 1 against 2 along t = (-n_y, n_x)
+
+  bool with_wall() const { return id2 <= 0; }
+};
+
+struct Frame {
+  std::int64_t step = 0;
+  Box box;
+  std::vector<Particle> particles;
+  std::vector<Contact> contacts;
+};
+
+}  // namespace mikromakro

@@ -1,0 +1,31 @@
+// Which frames are averaged.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace mikromakro {
+
+/// Frames FIRST:LAST[:STEP] by index (from 0, both ends included) and A:B by time step (both ends included).
+struct FrameSelection {
+  std::int64_t first = 0;
+  std::int64_t last = std::numeric_limits<std::int64_t>::max();
+  std::int64_t stride = 1;
+  std::int64_t first_step = 0;
+  std::int64_t last_step = std::numeric_limits<std::int64_t>::max();
+
+  bool contains(std::int64_t index, std::int64_t step) const {
+    return index >= first && index <= last && (index - first) % stride == 0 && step >= first_step &&
+           step <= last_step;
+  }
+  /// No later frame can be selected.
+  bool over_after(std::int64_t index, std::int64_t step) const { return index >= last || step >= last_step; }
+};
+
+/// Sets the part of the selection that --frames or --steps gives; an end that is left out (`5:`, `:9`) is
+/// open. Throws on anything else and on an empty range.
+void select_frames(const std::string& text, FrameSelection& selection);
+void select_steps(const std::string& text, FrameSelection& selection);
+
+}  // namespace mikromakro

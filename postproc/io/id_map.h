@@ -1,0 +1,32 @@
+// From the id of a particle to its place in the frame; ids may have gaps and stand in any order.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "io/frame.h"
+
+namespace mikromakro {
+
+class IdMap {
+ public:
+  explicit IdMap(const std::vector<Particle>& particles);
+
+  /// Index of the particle, -1 when there is none of this id.
+  int find(std::int64_t id) const;
+
+  /// Index of the first particle whose id an earlier one has, -1 when all ids differ.
+  int duplicate() const { return duplicate_; }
+
+ private:
+  struct Entry {
+    std::int64_t id;
+    int index;
+  };
+  std::int64_t lowest_ = 0;
+  std::vector<int> dense_;     ///< index by id - lowest_, where ids are dense enough
+  std::vector<Entry> sorted_;  ///< otherwise by binary search
+  int duplicate_ = -1;
+};
+
+}  // namespace mikromakro

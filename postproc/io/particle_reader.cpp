@@ -1,0 +1,74 @@
+#include "io/particle_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/row_parser.h"
+
+namespace mikromakro {
+namespace {
+
+using Slots = std::array<double, static_cast<std::size_t>(ParticleColumn::count)>;
+
+// A count in a broken header must not make us ask for its memory at once.
+constexpr std::int64_t largest_reserve = 1 << 20;
+
+double positive(double value, std::string_view what, const Place& place) {
+  if (value <= 0)
+    throw bad_input(place, fmt::format("{} is not positive", what), "a number > 0", fmt::format("{}", value));
+  return value;
+}
+
+std::int64_t counting(double value, std::string_view what, const Place& place) {
+  const std::int64_t number = as_integer(value, what, place);
+  if (number < 1)
+    throw bad_input(place, fmt::format("{} below 1", what), "1 or more", fmt::format("{}", number));
+  return number;
+}
+
+Particle particle_of(const Slots& slots, const ColumnMap& map, const Place& place) {
+  const auto at = [&](ParticleColumn column) { return slots[static_cast<std::size_t>(column)]; };
+  const auto given = [&](ParticleColumn column) { return (map.given & column_bit(column)) != 0; };
+  Particle particle;
+  particle.id = counting(at(ParticleColumn::id), "id", place);
+  if (given(ParticleColumn::type)) {
+    const std::int64_t type = counting(at(ParticleColumn::type), "type", place);
+    if (type > std::numeric_limits<int>::max())
+      throw bad_input(place, "type is too large", "a type of particles", fmt::format("{}", type));
+    particle.type = static_cast<int>(type);
+  }
+  particle.position = {at(ParticleColumn::x), at(ParticleColumn::y)};
+  particle.radius = positive(at(ParticleColumn::radius), "radius", place);
+  particle.velocity = {at(ParticleColumn::vx), at(ParticleColumn::vy)};
+  particle.spin = at(ParticleColumn::omegaz);
+  particle.mass = at(ParticleColumn::mass);
+  if (given(ParticleColumn::mass)) positive(particle.mass, "mass", place);
+  return particle;
+}
+
+}  // namespace
+
+std::vector<Particle> read_particles(DumpReader& dump, const DumpHeader& header,
+                                     const std::vector<std::string>& list, ColumnSet needed) {
+  const Place place{dump.file(), header.line};
+  if (!header.of_particles())
+    throw bad_input(place, "not a dump of particles", "'ITEM: ATOMS'", in_quotes("ITEM: " + header.label));
+  const ColumnMap map = list.empty() ? map_header(header.columns, particle_names(), place)
+                                     : map_option(list, header.columns.size(), particle_names(), place);
+  require_columns(map, needed | particle_base_columns, particle_names(), place);
+
+  std::vector<Particle> particles;
+  particles.reserve(static_cast<std::size_t>(std::min(header.rows, largest_reserve)));
+  Slots slots;
+  slots.fill(not_given);
+  for (std::int64_t row = 0; row < header.rows; ++row) {
+    const std::string_view line = dump.next_row();
+    parse_row(line, map, slots, dump.place());
+    particles.push_back(particle_of(slots, map, dump.place()));
+  }
+  dump.end_frame();
+  return particles;
+}
+
+}  // namespace mikromakro

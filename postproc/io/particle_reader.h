@@ -1,0 +1,24 @@
+// Particles of one dump frame.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/column_map.h"
+#include "io/dump_reader.h"
+#include "io/frame.h"
+
+namespace mikromakro {
+
+/// What every average needs of a particle.
+inline constexpr ColumnSet particle_base_columns =
+    column_set(ParticleColumn::id, ParticleColumn::x, ParticleColumn::y, ParticleColumn::radius);
+
+/// Turns the rows below `header` into particles (SI units as in the file).
+/// `list` are the names of --particle-columns (empty: the header's own); `needed` must be among them.
+/// Throws: missing columns, radius or mass <= 0, ids below 1 or not whole, types below 1 where they are
+/// given.
+std::vector<Particle> read_particles(DumpReader& dump, const DumpHeader& header,
+                                     const std::vector<std::string>& list, ColumnSet needed);
+
+}  // namespace mikromakro

@@ -1,0 +1,75 @@
+#include "io/row_parser.h"
+
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace mikromakro {
+namespace {
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
+
+// Not more than 2^53, so that no id is rounded to another one.
+constexpr double largest_integer = 9007199254740992.0;
+
+}  // namespace
+
+std::string_view next_word(std::string_view& rest) {
+  const char* begin = rest.data();
+  const char* const end = begin + rest.size();
+  while (begin != end && is_blank(*begin)) ++begin;
+  const char* stop = begin;
+  while (stop != end && !is_blank(*stop)) ++stop;
+  rest = {stop, static_cast<std::size_t>(end - stop)};
+  return {begin, static_cast<std::size_t>(stop - begin)};
+}
+
+std::vector<std::string_view> words(std::string_view line) {
+  std::vector<std::string_view> all;
+  for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) all.push_back(word);
+  return all;
+}
+
+double parse_number(std::string_view word, const Place& place) {
+  double number = 0;
+  const char* const end = word.data() + word.size();
+  const auto [stop, code] = fast_float::from_chars(word.data(), end, number);
+  if (code != std::errc() || stop != end) throw bad_input(place, "not a number", "a number", in_quotes(word));
+  if (!std::isfinite(number))
+    throw bad_input(place, "not a finite number", "a finite number", in_quotes(word));
+  return number;
+}
+
+bool is_integer(double number) {
+  return number == std::floor(number) && std::abs(number) <= largest_integer;
+}
+
+std::int64_t as_integer(double number, std::string_view what, const Place& place) {
+  if (!is_integer(number))
+    throw bad_input(place, fmt::format("{} is not a whole number", what), "a whole number",
+                    fmt::format("{}", number));
+  return static_cast<std::int64_t>(number);
+}
+
+std::int64_t parse_integer(std::string_view word, const Place& place) {
+  return as_integer(parse_number(word, place), "the value", place);
+}
+
+void parse_row(std::string_view line, const ColumnMap& map, std::span<double> slots, const Place& place) {
+  std::string_view rest = line;
+  std::size_t read = 0;
+  for (const int slot : map.slot_of_column) {
+    const std::string_view word = next_word(rest);
+    if (word.empty()) break;
+    if (slot >= 0) slots[static_cast<std::size_t>(slot)] = parse_number(word, place);
+    ++read;
+  }
+  if (read == map.slot_of_column.size() && next_word(rest).empty()) return;
+  throw bad_input(place, "wrong number of columns in the row", fmt::format("{}", map.slot_of_column.size()),
+                  fmt::format("{}", words(line).size()));
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,33 @@
+// Numbers of one line of text into the slots of a column map.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "io/column_map.h"
+#include "io/error.h"
+
+namespace mikromakro {
+
+/// The next word of `rest` (blanks and tabs separate), cut off from it; empty at the end of the line.
+std::string_view next_word(std::string_view& rest);
+
+/// All words of a line.
+std::vector<std::string_view> words(std::string_view line);
+
+/// A finite number. Throws for anything else, nan and inf and numbers beyond double included.
+double parse_number(std::string_view word, const Place& place);
+
+/// A whole number. Throws for anything else. Accepts whole numbers written as floating point (1e+06), as the
+/// %g format of the engines' local dumps does.
+std::int64_t parse_integer(std::string_view word, const Place& place);
+bool is_integer(double number);
+std::int64_t as_integer(double number, std::string_view what, const Place& place);
+
+/// Parses one row; slots that no column fills are left as they are. Throws on too few or too many columns and
+/// on numbers that are none.
+void parse_row(std::string_view line, const ColumnMap& map, std::span<double> slots, const Place& place);
+
+}  // namespace mikromakro

@@ -1,0 +1,149 @@
+// The program as a user runs it, on the small pair of dumps in tests/data/good.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <sstream>
+
+#include "run_program.h"
+
+namespace mikromakro {
+namespace {
+
+const std::string good =
+    "--particles good/particles.dump --contacts good/contacts.dump --rings 0 4 1 --bulk-types 1 ";
+
+// The row of a table with one ring, by column names; 17 digits are printed, so that tests compare to
+// rounding.
+std::map<std::string, double> only_row(const std::string& text) {
+  std::istringstream stream(text);
+  std::string names;
+  while (std::getline(stream, names) && names.starts_with('#')) {
+  }
+  std::string values;
+  std::getline(stream, values);
+  std::istringstream split_names(names);
+  std::istringstream split_values(values);
+  std::map<std::string, double> row;
+  std::string value;
+  for (std::string name; std::getline(split_names, name, ',') && std::getline(split_values, value, ',');)
+    row[name] = std::strtod(value.c_str(), nullptr);
+  return row;
+}
+
+// Two frames, h = 1, ring 0..4: V = 16 pi. Free discs (type 1): 7 at (1, 0) with a = 0.5, 3 at (1.9, 0) with
+// a = 0.5, 20 at (0, -2) with a = 0.25 without contacts; wall disc 12 at (2.5, 0). Contacts: 7-3, 12-3 and 7
+// with the inner ring.
+//   nu = (1/4 + 1/4 + 1/16)/16, nu_1 = nu_2 = (1/2)/16, C = (2/4 + 2/4)/(9/16)
+//   all normals are along e_r: F_rr = 2 (1/4 + 1/4)/16
+//   7: force of 3 on it is (-10, 1), l = (0.5, 0); of the wall (2, 0), l = (-0.5, 0)     rr: -5 - 1, phir:
+//   0.5 3: force of 7 on it is (10, -1), l = (-0.5, 0); of 12 (-5, 0), l = (0.5, 0)          rr: -5 - 2.5,
+//   phir: 0.5 sigma_rr = -13.5/(16 pi), sigma_phir = 1/(16 pi) v_phi in frame 100: 7 has 1, 3 has -1, 20 has
+//   v_x = 4 at (0, -2), e_phi = (1, 0): 4; in frame 200 7 has 3: (1 - 1)/4 + 4/16 and (3 - 1)/4 + 4/16 over
+//   9/16: mean (0.25 + 0.75)/2/(9/16) = 8/9
+TEST(Average, GoodPairAsWorkedByHand) {
+  const Ran ran = run_program("average " + good);
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(ran.err, "");
+  auto row = only_row(ran.out);
+  constexpr double rounding = 1e-14;
+  constexpr double volume = 16 * std::numbers::pi;
+  EXPECT_NEAR(row["nu"], 9.0 / 256, rounding);
+  EXPECT_NEAR(row["nu_1"], 1.0 / 32, rounding);
+  EXPECT_NEAR(row["nu_2"], 1.0 / 32, rounding);
+  EXPECT_NEAR(row["nu_3"], 0, rounding);
+  EXPECT_NEAR(row["coordination"], 16.0 / 9, rounding);
+  EXPECT_NEAR(row["F_rr"], 1.0 / 16, rounding);
+  EXPECT_NEAR(row["sigma_rr"], -13.5 / volume, rounding);
+  EXPECT_NEAR(row["sigma_phir"], 1 / volume, rounding);
+  EXPECT_NEAR(row["v_phi"], 8.0 / 9, rounding);
+}
+
+TEST(Average, ColumnsStandInThePromisedOrder) {
+  const Ran ran = run_program("average " + good);
+  EXPECT_NE(ran.out.find("\nr_inner,r_outer,r,nu,nu_1,nu_2,nu_3,coordination,v_r,v_phi,spin,"
+                         "F_rr,F_rphi,F_phir,F_phiphi,sigma_rr,sigma_rphi,sigma_phir,sigma_phiphi,"
+                         "sigma_kin_rr,sigma_kin_rphi,sigma_kin_phir,sigma_kin_phiphi\n"),
+            std::string::npos);
+}
+
+TEST(Average, WritesTheSameIntoAFile) {
+  const Folder folder;
+  const Ran ran = run_program("average " + good + "--out '" + folder.path("a.csv") + "'");
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(ran.out, "");
+  EXPECT_EQ(read_text(folder.path("a.csv")), run_program("average " + good).out);
+  const Ran both = run_program("average " + good + "--out - --out '" + folder.path("b.csv") + "'");
+  EXPECT_EQ(both.out, read_text(folder.path("a.csv")));
+  EXPECT_EQ(both.out, read_text(folder.path("b.csv")));
+}
+
+TEST(Average, StockContactDumpsGiveTheSameThroughTheColumnMap) {
+  // The same contacts as compute pair/gran/local writes them: positions, ids, flag, force on the first disc;
+  // no walls.
+  const std::string fields = "--fields fabric,stress,coordination";
+  const auto of = [&](const std::string& contacts) {
+    const Ran ran = run_program("average --particles good/particles.dump --rings 0 4 1 --bulk-types 1 " +
+                                fields + " --contacts " + contacts);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return only_row(ran.out);
+  };
+  auto stock = of("good/stock.dump --contact-columns x1,y1,z1,x2,y2,z2,id1,id2,periodic,fx,fy,fz");
+  auto ours = of("good/no_wall.dump");
+  ASSERT_EQ(ours.size(), 12U);
+  // Normals are derived there: rounding.
+  for (const auto& [name, value] : ours) EXPECT_NEAR(stock[name], value, 1e-14) << name;
+}
+
+TEST(Average, FramesCanBeSelected) {
+  // Frame 200 alone: v_phi = 0.75/(9/16).
+  EXPECT_NEAR(only_row(run_program("average " + good + "--frames 1:").out)["v_phi"], 4.0 / 3, 1e-14);
+  EXPECT_NEAR(only_row(run_program("average " + good + "--steps 150:200").out)["v_phi"], 4.0 / 3, 1e-14);
+}
+
+TEST(Info, TellsWhatIsInADump) {
+  const Ran ran = run_program("info good/particles.dump --json");
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(
+      ran.out,
+      R"([{"file": "good/particles.dump", "kind": "particles", "frames": 2, "first_step": 100, "last_step": 200, )"
+      R"("fewest_rows": 4, "most_rows": 4, "columns": ["id", "type", "x", "y", "z", "radius", "vx", "vy", "omegaz", )"
+      R"("mass"], "box": [-5, 5, -5, 5], "periodic": "", "types": {"1": 3, "2": 1}, "radius": [0.125, 0.5]}])"
+      "\n");
+  EXPECT_NE(run_program("info 'good/*.dump'").out.find("good/stock.dump: contacts"), std::string::npos);
+}
+
+// v = 2 exp(-(r - 1)/0.5) at r = 1, 2, 3, 4 with 17 digits in the file: exact data.
+TEST(Fit, ExactTableGivesItsParameters) {
+  const Ran ran = run_program("fit good/profile.csv --omega 4 --json");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto number = [&](const std::string& key) {
+    const auto at = ran.out.find(std::string("\"").append(key).append("\": "));
+    return at == std::string::npos ? std::nan("")
+                                   : std::strtod(ran.out.c_str() + at + key.size() + 4, nullptr);
+  };
+  EXPECT_NEAR(number("v0"), 2, 1e-10);
+  EXPECT_NEAR(number("s"), 0.5, 1e-10);
+  EXPECT_EQ(number("r_i"), 1);
+  EXPECT_NEAR(number("v0_scaled"), 0.5, 1e-10);
+  EXPECT_EQ(number("rings"), 4);
+  for (const std::string key : {"v0_low", "v0_high", "s_low", "s_high", "v0_scaled_low", "v0_scaled_high"})
+    EXPECT_FALSE(std::isnan(number(key))) << key;
+}
+
+TEST(Fit, TooFewRingsAreAFailedRun) {
+  const Ran ran = run_program("fit good/profile.csv --range 0 2.5");
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_EQ(ran.err,
+            "mikromakro: too few rings for the fit; expected at least 3 with finite values, got 2\n");
+}
+
+TEST(Program, HelpAndVersionAreNoErrors) {
+  EXPECT_EQ(run_program("--version").out.rfind("mikromakro ", 0), 0U);
+  for (const std::string verb : {"", "average ", "info ", "fit "})
+    EXPECT_EQ(run_program(verb + "--help").code, 0);
+}
+
+}  // namespace
+}  // namespace mikromakro

@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <random>
+
+#include "lattice_frame.h"
+#include "measured_error.h"
+
+namespace mikromakro {
+namespace {
+
+const RingSetup rings{{0, 1.5, 3, 4.5, 6, 7.5}, {0, 0}, 1, "sliced", {{1}, Branch::radius}};
+
+// A sheared lattice with random velocities, spins and tangential forces: nothing in it is symmetric.
+Frame disordered_frame() {
+  LatticeSetup lattice{1, 1.96, 50, 4, Eigen::Matrix2d::Identity()};
+  lattice.gradient << 1, 0.02, 0.005, 1.001;
+  Frame frame = make_lattice(lattice);
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (Particle& particle : frame.particles) {
+    particle.velocity = {uniform(random), uniform(random)};
+    particle.spin = uniform(random);
+  }
+  for (Contact& contact : frame.contacts) contact.force += Eigen::Vector2d(uniform(random), uniform(random));
+  return frame;
+}
+
+void expect_same(const Frame& one, const Frame& two, double tolerance) {
+  const Table first = RingAverage(one, rings).table();
+  const Table second = RingAverage(two, rings).table();
+  for (Eigen::Index row = 0; row < first.rows.rows(); ++row) {
+    for (Eigen::Index column = 0; column < first.rows.cols(); ++column) {
+      const double value = first.rows(row, column);
+      expect_measured(value, second.rows(row, column), tolerance,
+                      first.columns[static_cast<std::size_t>(column)].name);
+    }
+  }
+}
+
+// All values are of size 1 or below; the sums run over 10^2 terms: 1e-12.
+TEST(RingAverages, DoNotChangeWhenEverythingIsTurned) {
+  const Frame frame = disordered_frame();
+  Frame turned = frame;
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.7).toRotationMatrix();
+  for (Particle& particle : turned.particles) {
+    particle.position = turn * particle.position;
+    particle.velocity = turn * particle.velocity;
+  }
+  for (Contact& contact : turned.contacts) {
+    contact.normal = turn * contact.normal;
+    contact.force = turn * contact.force;
+  }
+  // Not the disc at the centre of the rings, where the polar basis has no direction: out of the average it
+  // goes.
+  Frame hollow = frame;
+  for (Frame* each : {&hollow, &turned}) {
+    for (Particle& particle : each->particles)
+      if (particle.position.norm() < 1e-9) particle.type = 2;
+  }
+  expect_same(hollow, turned, 1e-12);
+}
+
+TEST(RingAverages, DoNotChangeWhenDiscsAreNumberedAndListedOtherwise) {
+  const Frame frame = disordered_frame();
+  Frame other = frame;
+  const int count = static_cast<int>(frame.particles.size());
+  std::reverse(other.particles.begin(), other.particles.end());
+  std::rotate(other.contacts.begin(), other.contacts.begin() + 17, other.contacts.end());
+  for (Particle& particle : other.particles) particle.id = 100000 - 3 * particle.id;
+  for (Contact& contact : other.contacts) {
+    contact.index1 = count - 1 - contact.index1;
+    contact.index2 = count - 1 - contact.index2;
+  }
+  expect_same(frame, other, 1e-12);
+}
+
+// The order of the sums stays and a sign is exact: the same to the last bit.
+TEST(RingAverages, DoNotChangeWhenTheDiscsOfEveryRowAreSwapped) {
+  const Frame frame = disordered_frame();
+  Frame swapped = frame;
+  for (Contact& contact : swapped.contacts) {
+    std::swap(contact.id1, contact.id2);
+    std::swap(contact.index1, contact.index2);
+    contact.normal = -contact.normal;
+    contact.force = -contact.force;
+  }
+  expect_same(frame, swapped, 0);
+}
+
+}  // namespace
+}  // namespace mikromakro
