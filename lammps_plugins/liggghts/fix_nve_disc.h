@@ -22,6 +22,8 @@ class FixNveDisc : public LAMMPS_NS::Fix {
   FixNveDisc(const FixNveDisc&) = delete;
   FixNveDisc& operator=(const FixNveDisc&) = delete;
 
+  bool predicts_velocities() const { return predicted_; }
+
   int setmask() override;
   void init() override;
   void initial_integrate(int vflag) override;

@@ -7,6 +7,7 @@
 #include "compute_pair_gran_local.h"
 #include "domain.h"
 #include "error.h"
+#include "fix_nve_disc.h"
 #include "force.h"
 #include "modify.h"
 #include "output.h"
@@ -30,6 +31,18 @@ Tangential tangential_of(int64_t hash) {
   }
 }
 
+/// Whether every fix that integrates is fix nve/disc with `velocity predicted`.
+bool integrators_predict_velocities(const Modify& modify) {
+  bool any = false;
+  for (int k = 0; k < modify.nfix; ++k) {
+    if (std::strncmp(modify.fix[k]->style, "nve", 3) != 0) continue;
+    const auto* integrator = dynamic_cast<const FixNveDisc*>(modify.fix[k]);
+    if (!integrator || !integrator->predicts_velocities()) return false;
+    any = true;
+  }
+  return any;
+}
+
 const char* tangential_name(Tangential tangential) {
   switch (tangential) {
     case Tangential::none:
@@ -45,9 +58,12 @@ const char* tangential_name(Tangential tangential) {
 
 PairGranDisc::PairGranDisc(LAMMPS* engine, PairGran* parent, int64_t hash) : Pointers(engine), hash_(hash) {
   effects_.tangential = tangential_of(hash);
-  // The spring keeps its sign when the particles change places, so "0": no sign change between the two
-  // copies.
-  if (effects_.spring()) parent->add_history_value("xi", "0");
+  // Spring and slip rate keep their signs when the particles change places, so "0": no sign change between
+  // the two copies.
+  if (effects_.spring()) {
+    parent->add_history_value("xi", "0");
+    parent->add_history_value("slip_rate", "0");
+  }
 }
 
 void PairGranDisc::require_two_dimensions() const {
@@ -100,6 +116,7 @@ void PairGranDisc::init_granular() {
     error->all(FLERR, "pair_style gran model disc/linear: works without coarse graining only");
   read_material_constants();
   check_time_step();
+  predicted_ = integrators_predict_velocities(*modify);
   recorder_defined_ = modify->find_compute_style_strict("contact/disc", 0) != nullptr;
   recorded_step_ = -1;
 }
@@ -128,7 +145,8 @@ void PairGranDisc::read_restart_settings(FILE* file, int64_t /*hash*/) {
 }
 
 int PairGranDisc::get_history_offset(const std::string name) {
-  return effects_.spring() && name == "xi" ? 0 : -1;
+  if (!effects_.spring()) return -1;
+  return name == "xi" ? 0 : name == "slip_rate" ? 1 : -1;
 }
 
 bool PairGranDisc::contact_match(const std::string kind, const std::string model) {

@@ -55,6 +55,7 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   std::vector<double> material_constant(const char* name, const char* symbol) const;
   void check_time_step() const;
   bool recording_due() const;
+  double slip_of(const physics::ContactState& state, bool touched, double& slip_rate) const;
   void choose_loops();
   template <physics::Effects effects>
   void use_loops_of();
@@ -69,6 +70,8 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   std::vector<physics::ContactParameters> parameters_;  // of type i and type j at (i - 1) * types + j - 1
   Loop plain_loop_ = nullptr;
   Loop observed_loop_ = nullptr;
+  bool predicted_ =
+      false;  // the atoms carry velocities that were predicted for the instant of their positions
   bool recorder_defined_ = false;
   bool recording_ = false;
   LAMMPS_NS::bigint recorded_step_ = -1;

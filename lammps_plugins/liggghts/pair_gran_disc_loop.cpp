@@ -16,7 +16,10 @@ using physics::Tangential;
 
 namespace {
 using Vector3 = double[3];
-}
+
+// Columns of the contact history.
+constexpr int history_xi = 0, history_slip_rate = 1;
+}  // namespace
 
 void PairGranDisc::stop_at_coincident_centres(int i, int j) const {
   const std::string text = "pair_style gran model disc/linear: discs " + std::to_string(atom->tag[i]) +
@@ -24,6 +27,15 @@ void PairGranDisc::stop_at_coincident_centres(int i, int j) const {
                            " have the same centre: their contact has no normal";
   error->one(FLERR, text.c_str());
   std::abort();
+}
+
+/// Slip of a contact in this step; slip_rate is kept from step to step. The stock integrators let the atoms
+/// carry half-step velocities, which need no correction.
+double PairGranDisc::slip_of(const physics::ContactState& state, bool touched, double& slip_rate) const {
+  if (!predicted_) return state.v_t * update->dt;
+  if (!touched) return physics::slip_since_onset(state, update->dt);
+  slip_rate = physics::slip_rate_of_half_step(slip_rate, state.v_t);
+  return slip_rate * update->dt;
 }
 
 template <Effects effects, bool observed>
@@ -40,7 +52,6 @@ void PairGranDisc::loop(PairGran& pair, bool addflag) {
   const int types = atom->ntypes;
   const bool apply = pair.computeflag() != 0;
   const bool move_spring = apply && pair.shearupdate() != 0;
-  const double dt = move_spring ? update->dt : 0.0;
   const int history_size = pair.dnum();
   NeighList& list = *pair.list;
 
@@ -64,7 +75,7 @@ void PairGranDisc::loop(PairGran& pair, bool addflag) {
         if constexpr (effects.spring()) {
           if (touching[jj]) {
             touching[jj] = 0;
-            spring[0] = 0;
+            spring[history_xi] = spring[history_slip_rate] = 0;
           }
         }
         continue;
@@ -80,12 +91,17 @@ void PairGranDisc::loop(PairGran& pair, bool addflag) {
       if constexpr (effects.tangential != Tangential::none) {
         state.v_t = w_y * n_x - w_x * n_y + omega[i][2] * arm_i + omega[j][2] * arm_j;
       }
-      if constexpr (effects.spring()) state.xi = spring[0];
-
-      const auto force = physics::contact_force<effects>(parameters_i[type[j] - 1], state, dt);
+      double slip = 0;
       if constexpr (effects.spring()) {
+        state.xi = spring[history_xi];
+        if (move_spring) slip = slip_of(state, touching[jj], spring[history_slip_rate]);
+      }
+
+      const auto force = physics::contact_force<effects>(parameters_i[type[j] - 1], state, slip);
+      if constexpr (effects.spring()) {
+        if (move_spring) spring[history_xi] = force.xi;
+        if (!touching[jj]) spring[history_slip_rate] = state.v_t;
         touching[jj] = 1;
-        if (move_spring) spring[0] = force.xi;
       }
       // Force on i: -f_n n + f_t t.
       const double c_x = -force.f_n * n_x - force.f_t * n_y;

@@ -47,13 +47,13 @@ struct ContactState {
   double overlap;  // [m]
   double v_n;      // [m/s]
   double v_t;      // [m/s]
-  double xi;       // [m], before the step
+  double xi;       // [m], before the slip
 };
 
 struct ContactForce {
   double f_n;  // [N], > 0 repels
   double f_t;  // [N], on particle 1 along t
-  double xi;   // [m], after the step
+  double xi;   // [m], after the slip
 };
 
 /// Normal force f_n = k_n overlap + gamma_n v_n (seed 2.2; with delta = -overlap), optionally without
@@ -70,14 +70,27 @@ inline double viscous_coulomb_force(const ContactParameters& p, double v_t, doub
   return std::clamp(-p.tangential_damping * v_t, -cap, cap);
 }
 
-/// Cundall-Strack spring (seed 2.2, as pinned in docs/conventions.md): xi grows by v_t dt; the trial force
+/// Slip rate in the middle of the step that ends now [m/s], from the one in the middle of the step before and
+/// the predicted one of now: Verlet's prediction v_n = v_(n-1/2) + (v_(n-1/2) - v_(n-3/2)) / 2, solved for
+/// v_(n-1/2). The slip of the step is this rate times dt, as in velocity Verlet; v_n dt instead would act as
+/// a dashpot k_t dt / 2 beside the spring, the trapezium of predicted rates lets it gain energy in order 3.
+inline double slip_rate_of_half_step(double half_step_before, double v_t) {
+  return (2 * v_t + half_step_before) / 3;
+}
+
+/// Slip over the step in which the discs met [m]: they touched overlap / v_n ago, at most dt.
+inline double slip_since_onset(const ContactState& s, double dt) {
+  return s.v_t * (s.overlap < s.v_n * dt ? s.overlap / s.v_n : dt);
+}
+
+/// Cundall-Strack spring (seed 2.2, as pinned in docs/conventions.md): xi grows by the slip; the trial force
 /// -k_t xi [- gamma_t v_t] holds up to mu |f_n|; beyond it the force slides at the cap and the spring is set
 /// to what the cap leaves for it, never longer than the cap allows.
 template <Effects effects>
-ContactForce spring_force(const ContactParameters& p, const ContactState& s, double f_n, double dt) {
+ContactForce spring_force(const ContactParameters& p, const ContactState& s, double f_n, double slip) {
   const double cap = p.friction * std::abs(f_n);
   const double viscous = effects.tangential == Tangential::damped_spring ? p.tangential_damping * s.v_t : 0.0;
-  const double stretched = s.xi + s.v_t * dt;
+  const double stretched = s.xi + slip;
   const double trial = -p.tangential_stiffness * stretched - viscous;
   if (std::abs(trial) <= cap) return {f_n, trial, stretched};
   const double sliding = std::copysign(cap, trial);
@@ -85,12 +98,12 @@ ContactForce spring_force(const ContactParameters& p, const ContactState& s, dou
   return {f_n, sliding, elastic / p.tangential_stiffness};
 }
 
-/// Force of one contact. dt [s] is the time over which the spring is stretched; 0 evaluates the force without
-/// moving it.
+/// Force of one contact. slip [m] of 1 against 2 along t is what stretches the spring before; 0 evaluates the
+/// force without moving it.
 template <Effects effects>
-ContactForce contact_force(const ContactParameters& p, const ContactState& s, double dt) {
+ContactForce contact_force(const ContactParameters& p, const ContactState& s, double slip) {
   const double f_n = normal_force<effects>(p, s);
-  if constexpr (effects.spring()) return spring_force<effects>(p, s, f_n, dt);
+  if constexpr (effects.spring()) return spring_force<effects>(p, s, f_n, slip);
   if constexpr (effects.tangential == Tangential::viscous_coulomb) {
     return {f_n, viscous_coulomb_force(p, s.v_t, f_n), 0.0};
   }
