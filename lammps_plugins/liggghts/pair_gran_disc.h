@@ -27,6 +27,29 @@ struct AppliedContact {
   double v_n, v_t;
 };
 
+/// What the pair loop reads of a disc, and what it adds up for it.
+struct Place {
+  double x, y, radius;
+  int type;  // from 0
+};
+struct Motion {
+  double v_x, v_y, omega;
+};
+struct Load {
+  double f_x, f_y, torque;
+};
+
+enum class Touch : int { no, first, yes };
+
+/// A pair of the engine's neighbour list; flag and history are the engine's, so that its fixes find them
+/// there.
+struct NeighbourPair {
+  int i, j;
+  Touch touch;
+  int* flag;
+  double* history;
+};
+
 class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected LAMMPS_NS::Pointers {
  public:
   PairGranDisc(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::PairGran* parent, int64_t hash);
@@ -57,6 +80,12 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   bool recording_due() const;
   double slip_of(const physics::ContactState& state, bool touched, double& slip_rate) const;
   void choose_loops();
+  void gather();
+  void scatter() const;
+  template <physics::Effects effects>
+  void flatten(LAMMPS_NS::PairGran& pair);
+  template <physics::Effects effects>
+  std::size_t find_contacts();
   template <physics::Effects effects>
   void use_loops_of();
   template <physics::Effects effects, bool observed>
@@ -68,6 +97,12 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   int64_t hash_;
   physics::Effects effects_;
   std::vector<physics::ContactParameters> parameters_;  // of type i and type j at (i - 1) * types + j - 1
+  // Of this step: owned and ghost discs, the loads on them, the indices of the pairs that touch.
+  std::vector<Place> places_;
+  std::vector<Motion> motions_;
+  std::vector<Load> loads_;
+  std::vector<int> touching_;
+  std::vector<NeighbourPair> pairs_;  // since the neighbour list was built
   Loop plain_loop_ = nullptr;
   Loop observed_loop_ = nullptr;
   bool predicted_ =

@@ -5,6 +5,7 @@
 #include "atom.h"
 #include "error.h"
 #include "neigh_list.h"
+#include "neighbor.h"
 #include "pair_gran_disc.h"
 #include "update.h"
 
@@ -38,92 +39,129 @@ double PairGranDisc::slip_of(const physics::ContactState& state, bool touched, d
   return slip_rate * update->dt;
 }
 
-template <Effects effects, bool observed>
-void PairGranDisc::loop(PairGran& pair, bool addflag) {
-  // The engine keeps these arrays contiguous.
+/// What the pair loop reads of each disc, owned or ghost, side by side: the engine's arrays would cost a
+/// cache line each for every neighbour.
+void PairGranDisc::gather() {
+  const int count = atom->nlocal + atom->nghost;
+  places_.resize(count);
+  motions_.resize(count);
   const auto* x = reinterpret_cast<const Vector3*>(atom->x[0]);
   const auto* v = reinterpret_cast<const Vector3*>(atom->v[0]);
   const auto* omega = reinterpret_cast<const Vector3*>(atom->omega[0]);
+  for (int i = 0; i < count; ++i) {
+    places_[i] = {x[i][0], x[i][1], atom->radius[i], atom->type[i] - 1};
+    motions_[i] = {v[i][0], v[i][1], omega[i][2]};
+  }
+  loads_.assign(count, {0, 0, 0});
+}
+
+/// Adds the loads of the owned discs to the engine's forces and torques.
+void PairGranDisc::scatter() const {
   auto* f = reinterpret_cast<Vector3*>(atom->f[0]);
   auto* torque = reinterpret_cast<Vector3*>(atom->torque[0]);
-  const double* radius = atom->radius;
-  const int* type = atom->type;
-  const int nlocal = atom->nlocal;
-  const int types = atom->ntypes;
-  const bool apply = pair.computeflag() != 0;
-  const bool move_spring = apply && pair.shearupdate() != 0;
-  const int history_size = pair.dnum();
-  NeighList& list = *pair.list;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    f[i][0] += loads_[i].f_x;
+    f[i][1] += loads_[i].f_y;
+    torque[i][2] += loads_[i].torque;
+  }
+}
 
+/// Copies the engine's neighbour list, which it has just built, into one flat list of pairs.
+template <Effects effects>
+void PairGranDisc::flatten(PairGran& pair) {
+  const NeighList& list = *pair.list;
+  const std::ptrdiff_t history_size = pair.dnum();
+  pairs_.clear();
   for (int ii = 0; ii < list.inum; ++ii) {
     const int i = list.ilist[ii];
-    const double x_i = x[i][0], y_i = x[i][1], a_i = radius[i];
-    const int* neighbours = list.firstneigh[i];
-    const int count = list.numneigh[i];
-    const auto* parameters_i = &parameters_[static_cast<std::size_t>(type[i] - 1) * types];
-    int* touching = effects.spring() ? pair.listgranhistory->firstneigh[i] : nullptr;
-    double* history = effects.spring() ? pair.listgranhistory->firstdouble[i] : nullptr;
-    double f_x = 0, f_y = 0, torque_i = 0;
-
-    for (int jj = 0; jj < count; ++jj) {
-      const int j = neighbours[jj] & NEIGHMASK;
-      const double d_x = x[j][0] - x_i, d_y = x[j][1] - y_i;
-      const double distance_squared = d_x * d_x + d_y * d_y;
-      const double reach = a_i + radius[j];
-      double* spring = effects.spring() ? &history[static_cast<std::ptrdiff_t>(history_size) * jj] : nullptr;
-      if (distance_squared >= reach * reach) {
-        if constexpr (effects.spring()) {
-          if (touching[jj]) {
-            touching[jj] = 0;
-            spring[history_xi] = spring[history_slip_rate] = 0;
-          }
-        }
-        continue;
-      }
-      if (distance_squared == 0) stop_at_coincident_centres(i, j);
-
-      const double distance = std::sqrt(distance_squared);
-      const double n_x = d_x / distance, n_y = d_y / distance;
-      const double overlap = reach - distance;
-      const double arm_i = a_i - overlap / 2, arm_j = radius[j] - overlap / 2;
-      const double w_x = v[i][0] - v[j][0], w_y = v[i][1] - v[j][1];
-      physics::ContactState state{overlap, w_x * n_x + w_y * n_y, 0, 0};
-      if constexpr (effects.tangential != Tangential::none) {
-        state.v_t = w_y * n_x - w_x * n_y + omega[i][2] * arm_i + omega[j][2] * arm_j;
-      }
-      double slip = 0;
+    for (int jj = 0; jj < list.numneigh[i]; ++jj) {
+      NeighbourPair p{i, list.firstneigh[i][jj] & NEIGHMASK, Touch::no, nullptr, nullptr};
       if constexpr (effects.spring()) {
-        state.xi = spring[history_xi];
-        if (move_spring) slip = slip_of(state, touching[jj], spring[history_slip_rate]);
+        p.flag = &pair.listgranhistory->firstneigh[i][jj];
+        p.history = &pair.listgranhistory->firstdouble[i][history_size * jj];
+        p.touch = *p.flag ? Touch::yes : Touch::no;
       }
-
-      const auto force = physics::contact_force<effects>(parameters_i[type[j] - 1], state, slip);
-      if constexpr (effects.spring()) {
-        if (move_spring) spring[history_xi] = force.xi;
-        if (!touching[jj]) spring[history_slip_rate] = state.v_t;
-        touching[jj] = 1;
-      }
-      // Force on i: -f_n n + f_t t.
-      const double c_x = -force.f_n * n_x - force.f_t * n_y;
-      const double c_y = -force.f_n * n_y + force.f_t * n_x;
-      f_x += c_x;
-      f_y += c_y;
-      if constexpr (effects.tangential != Tangential::none) torque_i += arm_i * force.f_t;
-      if (apply && j < nlocal) {
-        f[j][0] -= c_x;
-        f[j][1] -= c_y;
-        if constexpr (effects.tangential != Tangential::none) torque[j][2] += arm_j * force.f_t;
-      }
-      if constexpr (observed) {
-        observe<effects>(pair, {i, j, n_x, n_y, overlap, force, state.v_n, state.v_t}, spring, addflag);
-      }
-    }
-    if (apply) {
-      f[i][0] += f_x;
-      f[i][1] += f_y;
-      torque[i][2] += torque_i;
+      pairs_.push_back(p);
     }
   }
+  touching_.resize(pairs_.size());
+}
+
+/// Fills touching_ with the pairs that overlap and returns their number. Which pairs do is as good as random
+/// to a processor, so the loop has no branch on it; only the few pairs whose state changes take one.
+template <Effects effects>
+std::size_t PairGranDisc::find_contacts() {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    NeighbourPair& p = pairs_[k];
+    const Place &a = places_[p.i], &b = places_[p.j];
+    const double d_x = b.x - a.x, d_y = b.y - a.y, reach = a.radius + b.radius;
+    const bool touch = d_x * d_x + d_y * d_y < reach * reach;
+    touching_[count] = static_cast<int>(k);
+    count += touch;
+    if constexpr (effects.spring()) {
+      if (touch == (p.touch == Touch::no)) {
+        p.touch = touch ? Touch::first : Touch::no;
+        *p.flag = touch;
+        if (!touch) p.history[history_xi] = p.history[history_slip_rate] = 0;
+      }
+    }
+  }
+  return count;
+}
+
+template <Effects effects, bool observed>
+void PairGranDisc::loop(PairGran& pair, bool addflag) {
+  gather();
+  if (neighbor->ago == 0 || pairs_.empty()) flatten<effects>(pair);
+  const bool move_spring = pair.computeflag() && pair.shearupdate();
+  const std::size_t types = atom->ntypes, contacts = find_contacts<effects>();
+
+  for (std::size_t k = 0; k < contacts; ++k) {
+    NeighbourPair& p = pairs_[touching_[k]];
+    const Place &a = places_[p.i], &b = places_[p.j];
+    const Motion &m = motions_[p.i], &n = motions_[p.j];
+    const double d_x = b.x - a.x, d_y = b.y - a.y;
+    const double distance = std::sqrt(d_x * d_x + d_y * d_y);
+    if (distance == 0) stop_at_coincident_centres(p.i, p.j);
+    const double inverse = 1 / distance, n_x = d_x * inverse, n_y = d_y * inverse;
+    const double overlap = a.radius + b.radius - distance;
+    const double arm_i = a.radius - overlap / 2, arm_j = b.radius - overlap / 2;
+    const double w_x = m.v_x - n.v_x, w_y = m.v_y - n.v_y;
+    physics::ContactState state{overlap, w_x * n_x + w_y * n_y, 0, 0};
+    if constexpr (effects.tangential != Tangential::none) {
+      state.v_t = w_y * n_x - w_x * n_y + m.omega * arm_i + n.omega * arm_j;
+    }
+    double slip = 0;
+    if constexpr (effects.spring()) {
+      state.xi = p.history[history_xi];
+      if (move_spring) slip = slip_of(state, p.touch != Touch::first, p.history[history_slip_rate]);
+    }
+
+    const auto force = physics::contact_force<effects>(parameters_[a.type * types + b.type], state, slip);
+    if constexpr (effects.spring()) {
+      if (move_spring) p.history[history_xi] = force.xi;
+      if (p.touch == Touch::first) {
+        p.history[history_slip_rate] = state.v_t;
+        p.touch = Touch::yes;
+      }
+    }
+    // Force on i: -f_n n + f_t t.
+    const double f_x = -force.f_n * n_x - force.f_t * n_y, f_y = -force.f_n * n_y + force.f_t * n_x;
+    Load &on_i = loads_[p.i], &on_j = loads_[p.j];
+    on_i.f_x += f_x;
+    on_i.f_y += f_y;
+    on_j.f_x -= f_x;
+    on_j.f_y -= f_y;
+    if constexpr (effects.tangential != Tangential::none) {
+      on_i.torque += arm_i * force.f_t;
+      on_j.torque += arm_j * force.f_t;
+    }
+    if constexpr (observed) {
+      observe<effects>(pair, {p.i, p.j, n_x, n_y, overlap, force, state.v_n, state.v_t}, p.history, addflag);
+    }
+  }
+  if (pair.computeflag()) scatter();
 }
 
 /// Hands one contact to whoever looks at it: our own record, `compute pair/gran/local`, the virial.
