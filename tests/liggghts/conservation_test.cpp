@@ -163,7 +163,7 @@ Deviation energy_deviation(double dt) {
   return deviation;
 }
 
-TEST(ElasticGas, DriftOfTheEnergyFallsWithTheSquareOfTheTimeStep) {
+TEST(ElasticGas, DriftFallsWithTheSquareOfTheTimeStepOverManySteps) {
   const auto coarse = energy_deviation(4e-5), fine = energy_deviation(1e-5);
   std::printf("energy deviates by at most %.2e (rms %.2e) at dt = 4e-5 s, %.2e (rms %.2e) at 1e-5 s\n",
               coarse.largest, coarse.rms, fine.largest, fine.rms);

@@ -114,23 +114,26 @@ std::map<std::pair<int, int>, Contact> Engine::contacts(const std::string& compu
   return contacts;
 }
 
-std::string scene(const std::string& pair_style, const Material& material, double size, int types,
-                  const std::string& boundary, const std::string& skin) {
+std::string constants(const Material& material, int types) {
   const auto constant = [&](const char* id, const char* name, double value) {
     std::string line = fmt::format("fix {} all property/global {} peratomtypepair {}", id, name, types);
     for (int k = 0; k < types * types; ++k) line += fmt::format(" {:.17g}", value);
     return line + "\n";
   };
+  return constant("kn", "kn", material.k_n) + constant("gamman", "gamman_abs", material.gamma_n) +
+         constant("kt", "kt", material.k_t) + constant("gammat", "gammat_abs", material.gamma_t) +
+         constant("mu", "coefficientFriction", material.mu);
+}
+
+std::string scene(const std::string& pair_style, const Material& material, double size, int types,
+                  const std::string& boundary, const std::string& skin) {
   return fmt::format(
              "units si\ndimension 2\nnewton off\natom_style granular\natom_modify map array\n"
              "communicate single vel yes\nboundary {}\nregion box block -{} {} -{} {} -0.001 0.001 units "
              "box\n"
              "create_box {} box\nneighbor {} bin\nneigh_modify delay 0\n",
              boundary, size, size, size, size, types, skin) +
-         constant("kn", "kn", material.k_n) + constant("gamman", "gamman_abs", material.gamma_n) +
-         constant("kt", "kt", material.k_t) + constant("gammat", "gammat_abs", material.gamma_t) +
-         constant("mu", "coefficientFriction", material.mu) +
-         fmt::format("pair_style gran {}\npair_coeff * *\n", pair_style);
+         constants(material, types) + fmt::format("pair_style gran {}\npair_coeff * *\n", pair_style);
 }
 
 std::string disc(int id, double x, double y, double radius, double density, int type) {

@@ -51,6 +51,9 @@ struct Material {
 std::string scene(const std::string& pair_style, const Material& material, double size = 1, int types = 2,
                   const std::string& boundary = "f f p", const std::string& skin = "0.001");
 
+/// The lines with the material constants alone, for all pairs of types.
+std::string constants(const Material& material, int types);
+
 /// Lines that create one disc; areal density in kg/m^2.
 std::string disc(int id, double x, double y, double radius, double density = 6.36, int type = 1);
 
