@@ -34,10 +34,9 @@ inline double disc_circle_area(double d, double a, double R) {
   if (gap >= a) return 0;
   if (R <= 0) return 0;
   if (gap <= -a) return std::numbers::pi * a * a;
-  if (R - a <= -d) return std::numbers::pi * R * R;
-  const double near_side = a - gap;  // a + R - d
-  const double far_side = a + gap;   // a + d - R
-  const double circle_side = std::max(d - a + R, 0.0);
+  const double near_side = a - gap;                     // a + R - d
+  const double far_side = a + gap;                      // a + d - R
+  const double circle_side = std::max(d - a + R, 0.0);  // 0: the circle lies within the disc, beta = pi
   const double perimeter = a + d + R;
   const double alpha = 2 * std::atan2(std::sqrt(near_side * circle_side), std::sqrt(perimeter * far_side));
   const double beta = 2 * std::atan2(std::sqrt(near_side * far_side), std::sqrt(perimeter * circle_side));

@@ -17,6 +17,7 @@ std::vector<double> equal_ring_edges(double inner, double outer, int count) {
                     fmt::format("{} {}", inner, outer));
   if (count < 1) throw bad_input({"--rings"}, "no rings", "N of 1 or more", fmt::format("{}", count));
   std::vector<double> edges;
+  edges.reserve(static_cast<std::size_t>(count) + 1);
   for (int i = 0; i < count; ++i) edges.push_back(inner + (outer - inner) * i / count);
   edges.push_back(outer);
   return edges;

@@ -10,7 +10,7 @@
 
 namespace mikromakro {
 
-inline void expect_measured(double value, double expected, double tolerance, const std::string& what = "") {
+inline void expect_measured(double value, double expected, double tolerance, const std::string& what = {}) {
   static std::string test;
   static double worst = 0;
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();

@@ -120,6 +120,47 @@ TEST(Averager, WallDiscsGiveTheirContactsToFreeDiscs) {
   }
 }
 
+// Sums the forces and normals of all contacts as they are: odd in the side from which a contact is seen,
+// which no tensor f (x) l is.
+class ContactProbe : public Field {
+ public:
+  std::string_view name() const override { return "probe"; }
+  std::vector<Column> columns(const Axes& axes) const override { return tensor_columns("probe", axes, {}); }
+  int sums() const override { return 4; }
+  void add_disc(const Disc& /*disc*/, std::span<double> /*quantity*/) const override {}
+  void add_contacts(const Disc& /*disc*/, std::span<const DiscContact> contacts,
+                    std::span<double> quantity) const override {
+    for (const DiscContact& contact : contacts) {
+      quantity[0] += contact.normal[0];
+      quantity[1] += contact.normal[1];
+      quantity[2] += contact.force[0];
+      quantity[3] += contact.force[1];
+    }
+  }
+  void solve(const VolumeData& /*volumes*/, const ConstRowsRef& sums, RowsRef columns) const override {
+    columns = sums;
+  }
+};
+
+// Discs at (3, 0) and (4.9, 0), one ring each; k_n overlap = 10: n = e_r, f = -10 e_r for the inner one, the
+// opposite for the outer one.
+TEST(Averager, EachDiscSeesItsContactFromItsOwnSide) {
+  Frame frame;
+  frame.particles = {make_disc(1, {3, 0}, 1), make_disc(2, {4.9, 0}, 1)};
+  frame.contacts = {make_contact(frame, 0, 1, 100)};
+  FieldList fields;
+  fields.push_back(std::make_unique<const ContactProbe>());
+  const Averager averager(
+      std::make_unique<const RingVolumes>(Eigen::Vector2d(0, 0), std::vector<double>{2, 4, 6}, 1),
+      make_weight("centre"), std::move(fields), {});
+  const Rows sums = averager.frame_sums(frame);
+  constexpr double of_positions = 1e-12;  // overlap = 2 - 1.9 has lost two digits, times 100
+  expect_measured(sums(0, 0), 1, rounding);
+  expect_measured(sums(1, 0), -1, rounding);
+  expect_measured(sums(0, 2), -10, of_positions);
+  expect_measured(sums(1, 2), 10, of_positions);
+}
+
 TEST(Averager, EmptyRingHasNoVelocityButNoDensityEither) {
   Frame frame;
   frame.particles = {make_disc(1, {3, 0}, 1)};

@@ -21,7 +21,7 @@ ProfilePoints exact_profile(double v0, int rings) {
   return points;
 }
 
-// The minimum of the sum of squares is found to rounding since it is zero: 1e-10 asked for.
+// The minimum of the sum of squares is found to rounding since it is zero: 1e-10 is ample.
 TEST(ExponentialProfile, ExactDataGiveBackTheirParameters) {
   for (const double v0 : {6.66e-3, -6.66e-3, 1.0}) {
     const ExponentialProfile fit = fit_exponential(exact_profile(v0, 60), r_i);
