@@ -50,7 +50,9 @@ void add_options(CLI::App& app, AverageOptions& options) {
       ->delimiter(',');
   app.add_option("--branch", options.branch,
                  "branch vector: radius (a_p n, default) or contact (to the contact point)");
-  app.add_option("--fields", options.fields, fmt::format("{}; default all", fmt::join(field_names(), ",")))
+  app.add_option("--fields", options.fields,
+                 fmt::format("all, or names of {}; default {}", fmt::join(field_names(), ","),
+                             fmt::join(default_field_names(), ",")))
       ->delimiter(',');
   app.add_option("--out", options.out,
                  "FILE.csv, or - for standard output (default); may be given more than once")

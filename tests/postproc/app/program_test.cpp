@@ -64,7 +64,9 @@ TEST(Average, ColumnsStandInThePromisedOrder) {
   const Ran ran = run_program("average " + good);
   EXPECT_NE(ran.out.find("\nr_inner,r_outer,r,nu,nu_1,nu_2,nu_3,coordination,v_r,v_phi,spin,"
                          "F_rr,F_rphi,F_phir,F_phiphi,sigma_rr,sigma_rphi,sigma_phir,sigma_phiphi,"
-                         "sigma_kin_rr,sigma_kin_rphi,sigma_kin_phir,sigma_kin_phiphi\n"),
+                         "sigma_kin_rr,sigma_kin_rphi,sigma_kin_phir,sigma_kin_phiphi,"
+                         "eps_rr,eps_rphi,eps_phir,eps_phiphi,M_zr,M_zphi,kappa_zr,kappa_zphi,"
+                         "D_rphi,W_rphi,omega_excess,E,G,mu_c\n"),
             std::string::npos);
 }
 
