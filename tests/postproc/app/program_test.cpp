@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <regex>
 #include <sstream>
 
 #include "run_program.h"
@@ -61,13 +62,42 @@ TEST(Average, GoodPairAsWorkedByHand) {
 }
 
 TEST(Average, ColumnsStandInThePromisedOrder) {
+  const std::string columns =
+      "nu,nu_1,nu_2,nu_3,coordination,v_r,v_phi,spin,"
+      "F_rr,F_rphi,F_phir,F_phiphi,sigma_rr,sigma_rphi,sigma_phir,sigma_phiphi,"
+      "sigma_kin_rr,sigma_kin_rphi,sigma_kin_phir,sigma_kin_phiphi,"
+      "eps_rr,eps_rphi,eps_phir,eps_phiphi,M_zr,M_zphi,kappa_zr,kappa_zphi,"
+      "D_rphi,W_rphi,omega_excess,E,G,mu_c";
+  const std::string errors = std::regex_replace(columns, std::regex("([^,]+)"), "$1_err");
   const Ran ran = run_program("average " + good);
-  EXPECT_NE(ran.out.find("\nr_inner,r_outer,r,nu,nu_1,nu_2,nu_3,coordination,v_r,v_phi,spin,"
-                         "F_rr,F_rphi,F_phir,F_phiphi,sigma_rr,sigma_rphi,sigma_phir,sigma_phiphi,"
-                         "sigma_kin_rr,sigma_kin_rphi,sigma_kin_phir,sigma_kin_phiphi,"
-                         "eps_rr,eps_rphi,eps_phir,eps_phiphi,M_zr,M_zphi,kappa_zr,kappa_zphi,"
-                         "D_rphi,W_rphi,omega_excess,E,G,mu_c\n"),
+  EXPECT_NE(ran.out.find("\nr_inner,r_outer,r," + columns + "," + errors + ",effective_samples\n"),
             std::string::npos);
+  const Ran without = run_program("average " + good + "--error-blocks 0");
+  EXPECT_NE(without.out.find("\nr_inner,r_outer,r," + columns + "\n"), std::string::npos);
+}
+
+TEST(Average, ExtraColumnsStandBehindTheOthersInAFixedOrder) {
+  const Ran ran = run_program("average " + good +
+                              "--error-blocks 0 --mu 0.5 --histogram 2 --fields "
+                              "rattler_fraction,stiffness,sliding_fraction,fabric_axes");
+  EXPECT_NE(ran.out.find("\nr_inner,r_outer,r,E,G,tr_F,dev_F,angle_F,F_major,F_minor,contact_angle_bin_1,"
+                         "contact_angle_bin_2,sliding_fraction,rattler_fraction\n"),
+            std::string::npos)
+      << ran.out << ran.err;
+}
+
+TEST(Average, TooFewFramesGiveNoErrorsAndSaySo) {
+  const Ran ran = run_program("average " + good);
+  EXPECT_NE(ran.out.find("# errors: nan: 2 blocks of 1 frames are too few for standard errors\n"),
+            std::string::npos);
+  auto row = only_row(ran.out);
+  EXPECT_TRUE(std::isnan(row["nu_err"]) && std::isnan(row["effective_samples"]));
+}
+
+TEST(Average, SaysWhichDisplacementTheCurvatureHas) {
+  EXPECT_NE(
+      run_program("average " + good + "--kn 100").out.find("# note: curvature: no tangential springs, "),
+      std::string::npos);
 }
 
 TEST(Average, WritesTheSameIntoAFile) {
@@ -84,7 +114,7 @@ TEST(Average, WritesTheSameIntoAFile) {
 TEST(Average, StockContactDumpsGiveTheSameThroughTheColumnMap) {
   // The same contacts as compute pair/gran/local writes them: positions, ids, flag, force on the first disc;
   // no walls.
-  const std::string fields = "--fields fabric,stress,coordination";
+  const std::string fields = "--error-blocks 0 --fields fabric,stress,coordination";
   const auto of = [&](const std::string& contacts) {
     const Ran ran = run_program("average --particles good/particles.dump --rings 0 4 1 --bulk-types 1 " +
                                 fields + " --contacts " + contacts);
