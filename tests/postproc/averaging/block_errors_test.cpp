@@ -136,11 +136,13 @@ INSTANTIATE_TEST_SUITE_P(Cases, CorrelatedSeries,
 // samples (2 tau = 39 of 60 frames) nine of ten are recognised.
 TEST(BlockErrors, AreNanForTooFewFrames) {
   std::vector<double> series;
+  series.reserve(16);
   for (int i = 0; i < 15; ++i) series.push_back(i % 3 - i % 2);
   EXPECT_FALSE(block_errors(average_of(series), same).any());
   series.push_back(1);
   EXPECT_TRUE(block_errors(average_of(series), same).any());
   std::vector<double> drift;
+  drift.reserve(1000);
   for (int i = 0; i < 1000; ++i) drift.push_back(i);
   EXPECT_FALSE(block_errors(average_of(drift), same).any());
   EXPECT_GT(coverage(0.95, 60).unknown, 0.9);
@@ -150,6 +152,10 @@ TEST(BlockErrors, AreNanForWhatDoesNotFluctuate) {
   const BlockErrors errors = block_errors(average_of(std::vector<double>(100, 0.3)), same);
   EXPECT_TRUE(std::isnan(errors.error(0, 0)));
   EXPECT_TRUE(std::isnan(errors.effective_samples()[0]));
+  // Rounding is no fluctuation.
+  std::vector<double> rounded(100, 0.3);
+  for (std::size_t i = 0; i < rounded.size(); i += 3) rounded[i] *= 1 + 5e-14;
+  EXPECT_FALSE(block_errors(average_of(rounded), same).any());
 }
 
 TEST(BlockErrors, AreNanForWhatIsUndefinedWithoutABlock) {
