@@ -36,6 +36,8 @@ bool wants_help(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Line by line also into a pipe: an error of one rank ends the others, and what they hold back is lost.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   install_signal_handlers();
   MPI_Init(&argc, &argv);
   int rank = 0;
