@@ -1,5 +1,7 @@
 // The pair loop of the disc law: one instance for each combination of effects, each plain and observed.
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "atom.h"
@@ -22,11 +24,16 @@ using Vector3 = double[3];
 constexpr int history_xi = 0, history_slip_rate = 1;
 }  // namespace
 
+/// The engine's Error::one is silent on all ranks but the first, and loses its line where the output is a
+/// pipe.
 void PairGranDisc::stop_at_coincident_centres(int i, int j) const {
-  const std::string text = "pair_style gran model disc/linear: discs " + std::to_string(atom->tag[i]) +
-                           " and " + std::to_string(atom->tag[j]) +
-                           " have the same centre: their contact has no normal";
-  error->one(FLERR, text.c_str());
+  const std::string text = "ERROR: pair_style gran model disc/linear: discs " + std::to_string(atom->tag[i]) +
+                           " and " + std::to_string(atom->tag[j]) + " have the same centre in step " +
+                           std::to_string(update->ntimestep) + ": their contact has no normal\n";
+  if (logfile) std::fputs(text.c_str(), logfile);
+  std::fflush(nullptr);
+  std::fputs(text.c_str(), stderr);
+  MPI_Abort(world, 1);
   std::abort();
 }
 
