@@ -31,24 +31,19 @@ struct AppliedContact {
 };
 
 /// What the pair loop reads of a disc, and what it adds up for it.
-struct alignas(32) Place {
+struct Place {
   double x, y, radius;
-  int type;  // from 0
 };
-struct alignas(32) Motion {
+struct Motion {
   double v_x, v_y, omega;
 };
-struct alignas(32) Load {
-  double f_x, f_y, torque;
+struct Load {
+  double f_x = 0, f_y = 0, torque = 0;
 };
 
-/// A pair of the engine's neighbour list, and its place in the engine's contact history.
+/// A pair of the engine's neighbour list.
 struct NeighbourPair {
   int i, j;
-};
-struct Spring {
-  int* flag;        // whether the pair touches
-  double* history;  // xi [m], slip rate of the half step [m/s]
 };
 
 class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected LAMMPS_NS::Pointers {
@@ -71,6 +66,7 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   physics::Effects effects() const { return effects_; }
 
  private:
+  using Lanes = std::array<int, physics::ContactBatch::lanes>;  // the pair in each lane
   using Loop = void (PairGranDisc::*)(LAMMPS_NS::PairGran&, bool addflag);
   struct Neighbours;
 
@@ -83,19 +79,23 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   template <physics::Effects effects>
   void use_loops_of();
   void gather();
-  void scatter() const;
+  void scatter();
   template <physics::Effects effects>
   void flatten(LAMMPS_NS::PairGran& pair);
   template <physics::Effects effects>
-  int find_contacts(physics::ContactBatch& batch, std::size_t& next);
-  void begin_or_end(std::size_t pair, bool touch, int lane);
+  void find_first_contacts();
+  double* history_of(int index) const;
+  void start_spring(int index, int flag);
   template <physics::Effects effects>
-  void load(physics::ContactBatch& batch, int count) const;
-  void slip_of_first_contacts(physics::ContactBatch& batch, double dt) const;
+  void load(physics::ContactBatch& batch, const int* lanes, int count) const;
   template <physics::Effects effects>
-  void store(const physics::ContactBatch& batch, int count, bool move_spring);
-  void observe(LAMMPS_NS::PairGran& pair, const physics::ContactBatch& batch, int lane, bool addflag);
-  [[noreturn]] void stop_at_coincident_centres(const physics::ContactBatch& batch) const;
+  int drop_ended(const physics::ContactBatch& batch, Lanes& lanes, int count);
+  void slip_of_first_contacts(physics::ContactBatch& batch, const int* lanes, int count, double dt) const;
+  template <physics::Effects effects>
+  void store(const physics::ContactBatch& batch, const int* lanes, int count, bool move_spring);
+  void observe(LAMMPS_NS::PairGran& pair, const physics::ContactBatch& batch, int lane, int index,
+               bool addflag);
+  [[noreturn]] void stop_at_coincident_centres(const physics::ContactBatch& batch, const Lanes& lanes) const;
   template <physics::Effects effects, bool observed>
   void loop(LAMMPS_NS::PairGran& pair, bool addflag);
 
@@ -106,14 +106,17 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   std::vector<Place> places_;
   std::vector<Motion> motions_;
   std::vector<Load> loads_;
-  // Of this batch: the index of each lane's pair, the lanes of contacts that begin.
+  std::vector<int> first_contacts_, ended_;  // pairs, sorted
   std::unique_ptr<physics::ContactBatch> batch_ = std::make_unique<physics::ContactBatch>();
-  std::array<int, physics::ContactBatch::lanes> touching_{};
-  std::vector<int> first_contacts_;
-  // Since the neighbour list was built: its pairs, their springs, whether they touched in the last step.
+  // Since the neighbour list was built: its pairs, the first of each disc, the engine's contact history, and
+  // which pairs touched in the last step (sorted, so that forces are summed in the same order whatever
+  // happened before).
   std::vector<NeighbourPair> pairs_;
-  std::vector<Spring> springs_;
-  std::vector<unsigned char> touched_;
+  std::vector<int> first_pair_;
+  int** flags_ = nullptr;
+  double** histories_ = nullptr;
+  std::ptrdiff_t history_size_ = 0;
+  std::vector<int> touching_, apart_;
   bool one_material_ = false;  // all pairs of types have the same constants
   Loop plain_loop_ = nullptr;
   Loop observed_loop_ = nullptr;

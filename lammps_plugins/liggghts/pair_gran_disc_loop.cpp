@@ -1,8 +1,10 @@
 // The pair loop of the disc law: one instance for each combination of effects, each plain and observed.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <string>
 
 #include "atom.h"
@@ -12,6 +14,14 @@
 #include "pair_gran_disc.h"
 #include "physics/contact_batch.h"
 #include "update.h"
+
+// Compiled for AVX2 and for any x86-64; the processor decides. Without fused multiply-add, so that both give
+// the same. Clang does not clone templates.
+#ifdef __clang__
+#define FOR_EACH_PROCESSOR
+#else
+#define FOR_EACH_PROCESSOR __attribute__((target_clones("avx2", "default")))
+#endif
 
 namespace mikromakro::liggghts {
 
@@ -29,10 +39,10 @@ constexpr int history_xi = 0, history_slip_rate = 1;
 
 /// The engine's Error::one is silent on all ranks but the first, and loses its line where the output is a
 /// pipe.
-void PairGranDisc::stop_at_coincident_centres(const ContactBatch& c) const {
+void PairGranDisc::stop_at_coincident_centres(const ContactBatch& c, const Lanes& lanes) const {
   int lane = 0;
   while (!std::isnan(c.n_x[lane])) ++lane;
-  const auto [i, j] = pairs_[touching_[lane]];
+  const auto [i, j] = pairs_[lanes[lane]];
   const std::string text = "ERROR: pair_style gran model disc/linear: discs " + std::to_string(atom->tag[i]) +
                            " and " + std::to_string(atom->tag[j]) + " have the same centre in step " +
                            std::to_string(update->ntimestep) + ": their contact has no normal\n";
@@ -53,90 +63,118 @@ void PairGranDisc::gather() {
   const auto* v = reinterpret_cast<const Vector3*>(atom->v[0]);
   const auto* omega = reinterpret_cast<const Vector3*>(atom->omega[0]);
   for (int i = 0; i < count; ++i) {
-    places_[i] = {x[i][0], x[i][1], atom->radius[i], atom->type[i] - 1};
+    places_[i] = {x[i][0], x[i][1], atom->radius[i]};
     motions_[i] = {v[i][0], v[i][1], omega[i][2]};
   }
-  loads_.assign(count, {0, 0, 0});
+  loads_.resize(count);
 }
 
-/// Adds the loads of the owned discs to the engine's forces and torques.
-void PairGranDisc::scatter() const {
+/// Adds the loads of the owned discs to the engine's forces and torques, and leaves none for the next step.
+void PairGranDisc::scatter() {
   auto* f = reinterpret_cast<Vector3*>(atom->f[0]);
   auto* torque = reinterpret_cast<Vector3*>(atom->torque[0]);
-  for (int i = 0; i < atom->nlocal; ++i) {
+  const int nlocal = atom->nlocal;
+  for (int i = 0; i < nlocal; ++i) {
     f[i][0] += loads_[i].f_x;
     f[i][1] += loads_[i].f_y;
     torque[i][2] += loads_[i].torque;
+    loads_[i] = {0, 0, 0};
   }
+  std::fill(loads_.begin() + nlocal, loads_.end(), Load{0, 0, 0});
 }
 
 /// Copies the engine's neighbour list, which it has just built, into one flat list of pairs.
 template <Effects effects>
 void PairGranDisc::flatten(PairGran& pair) {
   const NeighList& list = *pair.list;
-  const std::ptrdiff_t history_size = pair.dnum();
   pairs_.clear();
-  springs_.clear();
+  touching_.clear();
+  apart_.clear();
+  first_pair_.resize(atom->nlocal);
+  history_size_ = pair.dnum();
   for (int ii = 0; ii < list.inum; ++ii) {
     const int i = list.ilist[ii];
+    first_pair_[i] = static_cast<int>(pairs_.size());
     for (int jj = 0; jj < list.numneigh[i]; ++jj) {
+      bool touched = false;
+      if constexpr (effects.spring()) touched = pair.listgranhistory->firstneigh[i][jj] != 0;
+      (touched ? touching_ : apart_).push_back(static_cast<int>(pairs_.size()));
       pairs_.push_back({i, list.firstneigh[i][jj] & NEIGHMASK});
-      if constexpr (effects.spring()) {
-        int* flag = &pair.listgranhistory->firstneigh[i][jj];
-        springs_.push_back({flag, &pair.listgranhistory->firstdouble[i][history_size * jj]});
-      }
     }
   }
-  touched_.assign(pairs_.size(), 0);
   if constexpr (effects.spring()) {
-    for (std::size_t k = 0; k < springs_.size(); ++k) touched_[k] = *springs_[k].flag != 0;
+    flags_ = pair.listgranhistory->firstneigh;
+    histories_ = pair.listgranhistory->firstdouble;
   }
 }
 
-/// Goes on through the pairs from `next` and puts those that overlap into the batch, until it is full or the
-/// pairs end; returns their number. Which pairs overlap is as good as random to a processor, so there is no
-/// branch on it; only the few pairs whose state changes take one.
-template <Effects effects>
-int PairGranDisc::find_contacts(ContactBatch& c, std::size_t& next) {
-  const Place* places = places_.data();
-  const NeighbourPair* pairs = pairs_.data();
-  unsigned char* touched = touched_.data();
-  const std::size_t end = pairs_.size();
-  std::size_t pair = next;
-  int count = 0;
-  first_contacts_.clear();
-  for (; pair < end && count < ContactBatch::lanes; ++pair) {
-    const Place &a = places[pairs[pair].i], &b = places[pairs[pair].j];
-    const double d_x = b.x - a.x, d_y = b.y - a.y, reach = a.radius + b.radius;
-    const bool touch = d_x * d_x + d_y * d_y < reach * reach;
-    c.d_x[count] = d_x;
-    c.d_y[count] = d_y;
-    c.a_1[count] = a.radius;
-    c.a_2[count] = b.radius;
-    touching_[count] = static_cast<int>(pair);
-    if constexpr (effects.spring()) {
-      if (touch != (touched[pair] != 0)) begin_or_end(pair, touch, count);
+/// Where the engine keeps the history of a pair: xi [m] and slip rate [m/s].
+inline double* PairGranDisc::history_of(int index) const {
+  const int i = pairs_[index].i;
+  return histories_[i] + history_size_ * (index - first_pair_[i]);
+}
+
+namespace {
+
+/// Moves the few sorted `moved` from one sorted list to another, in place.
+void move_sorted(std::vector<int>& from, std::vector<int>& to, const std::vector<int>& moved) {
+  auto next = moved.begin();
+  auto kept = std::lower_bound(from.begin(), from.end(), *next);
+  for (auto read = kept; read != from.end(); ++read) {
+    if (next != moved.end() && *read == *next) {
+      ++next;
+    } else {
+      *kept++ = *read;
     }
-    count += touch;
   }
-  next = pair;
-  return count;
+  from.erase(kept, from.end());
+
+  // From the end, until all that is new has found its place.
+  auto old = static_cast<std::ptrdiff_t>(to.size()) - 1;
+  to.resize(to.size() + moved.size());
+  auto write = static_cast<std::ptrdiff_t>(to.size()) - 1;
+  for (auto left = static_cast<std::ptrdiff_t>(moved.size()) - 1; left >= 0;) {
+    to[write--] = old >= 0 && to[old] > moved[left] ? to[old--] : moved[left--];
+  }
 }
 
-/// A spring starts and ends with zero; contacts that begin are noted by their lane.
-void PairGranDisc::begin_or_end(std::size_t pair, bool touch, int lane) {
-  touched_[pair] = touch;
-  *springs_[pair].flag = touch;
-  springs_[pair].history[history_xi] = springs_[pair].history[history_slip_rate] = 0;
-  if (touch) first_contacts_.push_back(lane);
-}
+}  // namespace
 
-/// Velocities, springs and material constants of the contacts in the batch.
+/// Looks through the pairs that were apart; those that overlap now begin with a spring of zero.
 template <Effects effects>
-void PairGranDisc::load(ContactBatch& c, int count) const {
+void PairGranDisc::find_first_contacts() {
+  const Place* places = places_.data();
+  first_contacts_.clear();
+  for (const int index : apart_) {
+    const Place &a = places[pairs_[index].i], &b = places[pairs_[index].j];
+    const double d_x = b.x - a.x, d_y = b.y - a.y;
+    if (a.radius + b.radius - std::sqrt(d_x * d_x + d_y * d_y) > 0) first_contacts_.push_back(index);
+  }
+  if (first_contacts_.empty()) return;
+  move_sorted(apart_, touching_, first_contacts_);
+  if constexpr (effects.spring()) {
+    for (const int index : first_contacts_) start_spring(index, 1);
+  }
+}
+
+void PairGranDisc::start_spring(int index, int flag) {
+  const int i = pairs_[index].i;
+  flags_[i][index - first_pair_[i]] = flag;
+  double* history = history_of(index);
+  history[history_xi] = history[history_slip_rate] = 0;
+}
+
+/// Places, velocities, springs and material constants of the pairs in the lanes.
+template <Effects effects>
+void PairGranDisc::load(ContactBatch& c, const int* lanes, int count) const {
   for (int k = 0; k < count; ++k) {
-    const auto [i, j] = pairs_[touching_[k]];
+    const auto [i, j] = pairs_[lanes[k]];
+    const Place &a = places_[i], &b = places_[j];
     const Motion &m = motions_[i], &n = motions_[j];
+    c.d_x[k] = b.x - a.x;
+    c.d_y[k] = b.y - a.y;
+    c.a_1[k] = a.radius;
+    c.a_2[k] = b.radius;
     c.w_x[k] = m.v_x - n.v_x;
     c.w_y[k] = m.v_y - n.v_y;
     if constexpr (effects.tangential != Tangential::none) {
@@ -144,50 +182,66 @@ void PairGranDisc::load(ContactBatch& c, int count) const {
       c.omega_2[k] = n.omega;
     }
     if constexpr (effects.spring()) {
-      c.xi[k] = springs_[touching_[k]].history[history_xi];
-      c.slip_rate[k] = springs_[touching_[k]].history[history_slip_rate];
+      const double* history = history_of(lanes[k]);
+      c.xi[k] = history[history_xi];
+      c.slip_rate[k] = history[history_slip_rate];
     }
   }
   if (one_material_) return;  // it is in all lanes already
   const std::size_t types = atom->ntypes;
   for (int k = 0; k < count; ++k) {
-    const auto [i, j] = pairs_[touching_[k]];
-    c.set_material(k, parameters_[places_[i].type * types + places_[j].type]);
+    const auto [i, j] = pairs_[lanes[k]];
+    c.set_material(k, parameters_[(atom->type[i] - 1) * types + atom->type[j] - 1]);
   }
 }
 
 namespace {
 
-// Compiled for AVX2 and for any x86-64; the processor decides. Without fused multiply-add, so that both give
-// the same.
 template <Effects effects>
-__attribute__((target_clones("avx2", "default"))) bool batch_geometry(ContactBatch& c, int count,
-                                                                      bool predicted, double dt) {
-  const bool defined = physics::contact_geometry<effects>(c, count);
+FOR_EACH_PROCESSOR physics::BatchState batch_geometry(ContactBatch& c, int count, bool predicted, double dt) {
+  const auto state = physics::contact_geometry<effects>(c, count);
   if constexpr (effects.spring()) physics::contact_slip(c, count, predicted, dt);
-  return defined;
+  return state;
 }
 template <Effects effects>
-__attribute__((target_clones("avx2", "default"))) void batch_forces(ContactBatch& c, int count) {
+FOR_EACH_PROCESSOR void batch_forces(ContactBatch& c, int count) {
   physics::contact_forces<effects>(c, count);
 }
 
 }  // namespace
 
 /// With predicted velocities, contacts that begin in this step slip from the moment when they touched.
-void PairGranDisc::slip_of_first_contacts(ContactBatch& c, double dt) const {
-  for (const int k : first_contacts_) {
+void PairGranDisc::slip_of_first_contacts(ContactBatch& c, const int* lanes, int count, double dt) const {
+  auto first = std::lower_bound(first_contacts_.begin(), first_contacts_.end(), lanes[0]);
+  for (int k = 0; k < count && first != first_contacts_.end(); ++k) {
+    if (lanes[k] != *first) continue;
+    ++first;
     c.slip_rate[k] = c.v_t[k];
     if (predicted_ && dt > 0)
       c.slip[k] = physics::slip_since_onset({c.overlap[k], c.v_n[k], c.v_t[k], 0}, dt);
   }
 }
 
+/// Takes the lanes that overlap no more out of the batch and notes their pairs; returns how many stay.
+template <Effects effects>
+int PairGranDisc::drop_ended(const ContactBatch& c, Lanes& lanes, int count) {
+  int stay = 0;
+  for (int k = 0; k < count; ++k) {
+    if (c.overlap[k] <= 0) {
+      ended_.push_back(lanes[k]);
+      if constexpr (effects.spring()) start_spring(lanes[k], 0);
+    } else {
+      lanes[stay++] = lanes[k];
+    }
+  }
+  return stay;
+}
+
 /// Adds the forces and torques to both discs and keeps the springs.
 template <Effects effects>
-void PairGranDisc::store(const ContactBatch& c, int count, bool move_spring) {
+void PairGranDisc::store(const ContactBatch& c, const int* lanes, int count, bool move_spring) {
   for (int k = 0; k < count; ++k) {
-    const auto [i, j] = pairs_[touching_[k]];
+    const auto [i, j] = pairs_[lanes[k]];
     Load &on_i = loads_[i], &on_j = loads_[j];
     on_i.f_x += c.f_x[k];
     on_i.f_y += c.f_y[k];
@@ -201,7 +255,7 @@ void PairGranDisc::store(const ContactBatch& c, int count, bool move_spring) {
   if constexpr (effects.spring()) {
     if (!move_spring) return;
     for (int k = 0; k < count; ++k) {
-      double* history = springs_[touching_[k]].history;
+      double* history = history_of(lanes[k]);
       history[history_xi] = c.xi[k];
       history[history_slip_rate] = c.slip_rate[k];
     }
@@ -217,23 +271,38 @@ void PairGranDisc::loop(PairGran& pair, bool addflag) {
   ContactBatch& c = *batch_;
   for (int k = 0; k < ContactBatch::lanes; ++k) c.set_material(k, parameters_.front());
 
-  for (std::size_t next = 0; next < pairs_.size();) {
-    const int count = find_contacts<effects>(c, next);
-    load<effects>(c, count);
-    if (!batch_geometry<effects>(c, count, predicted_, dt)) stop_at_coincident_centres(c);
-    if constexpr (effects.spring()) slip_of_first_contacts(c, dt);
+  find_first_contacts<effects>();
+  ended_.clear();
+  Lanes lanes;
+  for (std::size_t next = 0; next < touching_.size(); next += ContactBatch::lanes) {
+    int count = static_cast<int>(std::min<std::size_t>(ContactBatch::lanes, touching_.size() - next));
+    std::copy_n(touching_.begin() + static_cast<std::ptrdiff_t>(next), count, lanes.begin());
+    load<effects>(c, lanes.data(), count);
+    auto state = batch_geometry<effects>(c, count, predicted_, dt);
+    if (!state.all_defined) stop_at_coincident_centres(c, lanes);
+    if (!state.all_touch) {
+      count = drop_ended<effects>(c, lanes, count);
+      load<effects>(c, lanes.data(), count);
+      batch_geometry<effects>(c, count, predicted_, dt);
+    }
+    if (effects.spring() && !first_contacts_.empty()) slip_of_first_contacts(c, lanes.data(), count, dt);
     batch_forces<effects>(c, count);
-    store<effects>(c, count, move_spring);
+    store<effects>(c, lanes.data(), count, move_spring);
     if constexpr (observed) {
-      for (int k = 0; k < count; ++k) observe(pair, c, k, addflag);
+      for (int k = 0; k < count; ++k) observe(pair, c, k, lanes[k], addflag);
     }
   }
-  if (pair.computeflag()) scatter();
+  if (!ended_.empty()) move_sorted(touching_, apart_, ended_);
+  if (pair.computeflag()) {
+    scatter();
+  } else {
+    std::fill(loads_.begin(), loads_.end(), Load{0, 0, 0});
+  }
 }
 
 /// Hands one contact to whoever looks at it: our own record, `compute pair/gran/local`, the virial.
-void PairGranDisc::observe(PairGran& pair, const ContactBatch& c, int k, bool addflag) {
-  const auto [i, j] = pairs_[touching_[k]];
+void PairGranDisc::observe(PairGran& pair, const ContactBatch& c, int k, int index, bool addflag) {
+  const auto [i, j] = pairs_[index];
   if (recording_) {
     const double xi = effects_.spring() ? c.xi[k] : 0.0;
     applied_.push_back(
@@ -245,7 +314,7 @@ void PairGranDisc::observe(PairGran& pair, const ContactBatch& c, int k, bool ad
     data.i = i;
     data.j = j;
     data.deltan = c.overlap[k];
-    data.contact_history = effects_.spring() ? springs_[touching_[k]].history : nullptr;
+    data.contact_history = effects_.spring() ? history_of(index) : nullptr;
     force_on_i.delta_F[0] = c.f_x[k];
     force_on_i.delta_F[1] = c.f_y[k];
     force_on_i.delta_torque[2] = c.torque_1[k];

@@ -34,11 +34,15 @@ struct ContactBatch {
   }
 };
 
+/// Whether all of the first `count` pairs touch, and none has a common centre, which leaves the normal
+/// undefined.
+struct BatchState {
+  bool all_touch, all_defined;
+};
+
 /// Normal, overlap, lever arms and relative velocities at the contact points of the first `count` lanes.
-/// Returns false if two discs have the same centre: their normal, and only theirs, is not a number.
 template <Effects effects>
-[[gnu::always_inline]] inline bool contact_geometry(ContactBatch& c, int count) {
-  double defined = 0;
+[[gnu::always_inline]] inline BatchState contact_geometry(ContactBatch& c, int count) {
   for (int k = 0; k < count; ++k) {
     const double distance = std::sqrt(c.d_x[k] * c.d_x[k] + c.d_y[k] * c.d_y[k]);
     const double inverse = 1 / distance;
@@ -53,8 +57,12 @@ template <Effects effects>
           c.w_y[k] * c.n_x[k] - c.w_x[k] * c.n_y[k] + c.omega_1[k] * c.arm_1[k] + c.omega_2[k] * c.arm_2[k];
     }
   }
-  for (int k = 0; k < count; ++k) defined += c.n_x[k];
-  return !std::isnan(defined);
+  int apart = 0, undefined = 0;
+  for (int k = 0; k < count; ++k) {
+    apart += c.overlap[k] <= 0;
+    undefined += c.n_x[k] != c.n_x[k];
+  }
+  return {apart == 0, undefined == 0};
 }
 
 /// Slip of the step [m] of contacts that touched before, from velocities that were predicted for this instant
