@@ -1,86 +1,54 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
 #include <memory>
 
 #include "app/commands.h"
+#include "app/input_options.h"
 #include "app/progress.h"
-#include "averaging/averager.h"
-#include "averaging/ring_volumes.h"
+#include "app/volume_options.h"
+#include "averaging/block_errors.h"
 #include "averaging/time_average.h"
 #include "io/csv_writer.h"
 #include "io/error.h"
 #include "io/file_list.h"
-#include "io/frame_stream.h"
 #include "io/output_file.h"
 
 namespace mikromakro {
 namespace {
 
 struct AverageOptions {
-  std::vector<std::string> particles, contacts, particle_columns, contact_columns, fields;
-  std::vector<double> rings, center = {0, 0}, edges;
-  std::string weight = "sliced", branch = "radius", frames, steps;
-  std::vector<std::string> out;
-  double height = 1;
-  double kn = 0;
-  std::vector<int> bulk_types;
+  InputOptions input;
+  VolumeOptions volumes;
+  std::vector<std::string> fields, out;
+  FieldOptions numbers;
+  std::size_t error_blocks = 64;
   bool quiet = false;
 };
 
 void add_options(CLI::App& app, AverageOptions& options) {
-  app.add_option("--particles", options.particles,
-                 "text dumps of particles (names or patterns, plain or gzip)")
-      ->required();
-  app.add_option("--contacts", options.contacts, "text dumps of contacts");
-  app.add_option("--rings", options.rings, "RMIN RMAX N: N equal rings (m)")->expected(3);
-  app.add_option("--center", options.center, "X Y: centre of the rings (m), default 0 0")->expected(2);
-  app.add_option("--edges", options.edges, "R0,R1,...: own radii of the rings (m)")->delimiter(',');
-  app.add_option("--weight", options.weight, "sliced (area of the disc in the volume, default) or centre");
-  app.add_option("--height", options.height, "thickness of the discs (m), default 1");
-  app.add_option("--bulk-types", options.bulk_types, "types that are averaged, default all")->delimiter(',');
-  app.add_option("--kn", options.kn, "normal stiffness k_n (N/m), noted in the output")
+  add_input_options(app, options.input);
+  add_volume_options(app, options.volumes);
+  app.add_option("--kn", options.numbers.normal_stiffness,
+                 "normal stiffness k_n (N/m): E and G in units of k_n/h, curvature without springs")
       ->check(CLI::PositiveNumber);
-  app.add_option("--frames", options.frames, "FIRST:LAST[:STEP]: frames by index from 0");
-  app.add_option("--steps", options.steps, "A:B: frames by time step");
-  app.add_option("--particle-columns", options.particle_columns, "names of all columns, - to skip one")
+  app.add_option("--mu", options.numbers.friction_coefficient,
+                 "coefficient of friction, for sliding_fraction")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--histogram", options.numbers.histogram_bins,
+                 "BINS: adds contact_angle_histogram with so many bins")
+      ->check(CLI::Range(1, 3600));
+  app.add_option("--fields", options.fields,
+                 fmt::format("all, or names of {}; default {}", fmt::join(field_names(), ","),
+                             fmt::join(default_field_names(), ",")))
       ->delimiter(',');
-  app.add_option("--contact-columns", options.contact_columns, "names of all columns, - to skip one")
-      ->delimiter(',');
-  app.add_option("--branch", options.branch,
-                 "branch vector: radius (a_p n, default) or contact (to the contact point)");
-  app.add_option("--fields", options.fields, fmt::format("{}; default all", fmt::join(field_names(), ",")))
-      ->delimiter(',');
+  app.add_option("--error-blocks", options.error_blocks,
+                 "blocks of frames that are kept for standard errors, default 64; 0 for no errors")
+      ->check(CLI::Range(0, 100000));
   app.add_option("--out", options.out,
                  "FILE.csv, or - for standard output (default); may be given more than once")
       ->allow_extra_args(false);
   app.add_flag("--quiet", options.quiet, "no progress bar");
-}
-
-Branch branch_of(const std::string& name) {
-  if (name == "radius") return Branch::radius;
-  if (name == "contact") return Branch::contact;
-  throw bad_input({"--branch"}, "unknown branch vector", "radius or contact", in_quotes(name));
-}
-
-std::unique_ptr<const Volumes> volumes_of(const AverageOptions& options) {
-  if (options.rings.empty() == options.edges.empty()) {
-    throw bad_input({"--rings"}, "the volumes are not clear", "either --rings or --edges",
-                    options.rings.empty() ? "none" : "both");
-  }
-  std::vector<double> edges = options.edges;
-  if (edges.empty()) {
-    constexpr double most_rings = 1e6;
-    const double count = options.rings[2];
-    if (count != std::floor(count) || count < 1 || count > most_rings)
-      throw bad_input({"--rings"}, "not a number of rings", "a whole number N, 1 to 1000000",
-                      fmt::format("{}", count));
-    edges = equal_ring_edges(options.rings[0], options.rings[1], static_cast<int>(count));
-  }
-  const Eigen::Vector2d center{options.center[0], options.center[1]};
-  if (!center.allFinite()) throw bad_input({"--center"}, "not a point", "finite numbers", "others");
-  return std::make_unique<const RingVolumes>(center, std::move(edges), options.height);
 }
 
 // Where the table goes to: every file is made at once, and filled when all frames are read.
@@ -111,84 +79,75 @@ class Outputs {
   std::vector<std::unique_ptr<OutputFile>> files_;
 };
 
-FrameSource source_of(const AverageOptions& options, const Averager& averager) {
-  if (options.contacts.empty() && averager.needs_contacts()) {
-    throw bad_input({"--contacts"}, "the fields need contacts",
-                    "files of contacts, or --fields that need none", "none");
+FieldList fields_of(const AverageOptions& options) {
+  std::vector<std::string> names = options.fields;
+  if (options.numbers.histogram_bins > 0) {
+    if (names.empty()) {
+      for (const std::string_view name : default_field_names()) names.emplace_back(name);
+    }
+    names.emplace_back("contact_angle_histogram");
   }
-  FrameSource source;
-  source.particle_files = expand_files(options.particles);
-  source.contact_files = expand_files(options.contacts);
-  source.particle_columns = options.particle_columns;
-  source.contact_columns = options.contact_columns;
-  source.particles_needed = averager.particles_needed();
-  source.contacts_needed = averager.contacts_needed();
-  if (!options.frames.empty()) select_frames(options.frames, source.selection);
-  if (!options.steps.empty()) select_steps(options.steps, source.selection);
-  return source;
+  return make_fields(names, options.numbers);
 }
 
-struct FrameRange {
-  std::int64_t first_step = 0;
-  std::int64_t last_step = 0;
+struct Averaged {
+  TimeAverage sums;
+  FrameRange range;
 };
 
-TimeAverage sum_frames(const FrameSource& source, const Averager& averager, bool quiet, FrameRange& range) {
-  Progress progress(total_size(source.particle_files) + total_size(source.contact_files), quiet);
+Averaged sum_frames(const FrameSource& source, const Averager& averager, const AverageOptions& options) {
+  Progress progress(total_size(source.particle_files) + total_size(source.contact_files), options.quiet);
   FrameStream stream(source);
-  TimeAverage average;
+  Averaged averaged{TimeAverage(options.error_blocks), {}};
   Frame frame;
   while (stream.next(frame)) {
-    if (average.frames() == 0) range.first_step = frame.step;
-    range.last_step = frame.step;
-    average.add(averager.frame_sums(frame));
-    progress.update(stream.bytes_read(), average.frames());
+    if (averaged.sums.frames() == 0) averaged.range.first_step = frame.step;
+    averaged.range.last_step = frame.step;
+    averaged.sums.add(averager.frame_sums(frame));
+    progress.update(stream.bytes_read(), averaged.sums.frames());
   }
-  if (average.frames() == 0)
+  if (averaged.sums.frames() == 0)
     throw bad_input({source.particle_files.front()}, "no frame is selected",
                     "frames that --frames and --steps select", "0");
-  return average;
+  return averaged;
 }
 
-Preamble preamble_of(const AverageOptions& options, const FrameSource& source, const FrameRange& range,
-                     std::int64_t frames) {
+Preamble preamble_of(const AverageOptions& options, const FrameSource& source, const Averaged& averaged) {
   Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " average"}};
-  for (const std::string& file : source.particle_files) lines.emplace_back("particles", file);
-  for (const std::string& file : source.contact_files) lines.emplace_back("contacts", file);
+  describe_input(options.input, source, lines);
   if (!options.fields.empty())
     lines.emplace_back("fields", fmt::format("{}", fmt::join(options.fields, ",")));
-  if (!options.particle_columns.empty())
-    lines.emplace_back("particle columns", fmt::format("{}", fmt::join(options.particle_columns, ",")));
-  if (!options.contact_columns.empty())
-    lines.emplace_back("contact columns", fmt::format("{}", fmt::join(options.contact_columns, ",")));
-  lines.emplace_back("frames", fmt::format("{}, steps {} to {}", frames, range.first_step, range.last_step));
-  if (options.edges.empty()) {
-    lines.emplace_back("rings",
-                       fmt::format("{} {} {}", options.rings[0], options.rings[1], options.rings[2]));
-  } else {
-    lines.emplace_back("edges", fmt::format("{}", fmt::join(options.edges, ",")));
-  }
-  lines.emplace_back("center", fmt::format("{} {}", options.center[0], options.center[1]));
-  lines.emplace_back("weight", options.weight);
-  lines.emplace_back("branch", options.branch);
-  lines.emplace_back("height", fmt::format("{} m", options.height));
-  lines.emplace_back("bulk types", options.bulk_types.empty()
-                                       ? "all"
-                                       : fmt::format("{}", fmt::join(options.bulk_types, ",")));
-  if (options.kn > 0) lines.emplace_back("kn", fmt::format("{} N/m", options.kn));
+  lines.emplace_back("frames", fmt::format("{}, steps {} to {}", averaged.sums.frames(),
+                                           averaged.range.first_step, averaged.range.last_step));
+  describe_volumes(options.volumes, lines);
+  if (options.numbers.normal_stiffness > 0)
+    lines.emplace_back("kn", fmt::format("{} N/m", options.numbers.normal_stiffness));
+  if (options.numbers.friction_coefficient > 0)
+    lines.emplace_back("mu", fmt::format("{}", options.numbers.friction_coefficient));
   return lines;
 }
 
+// Adds the errors to the table, and to the lines above it what they rest on.
+void add_errors(const Averager& averager, const TimeAverage& sums, Table& table, Preamble& lines) {
+  const BlockErrors errors = block_errors(sums, [&](const Rows& mean) { return averager.values(mean); });
+  append_errors(errors, averager.columns(), table);
+  const std::string blocks = fmt::format("{} blocks of {} frames", sums.blocks().size(), sums.block_length());
+  lines.emplace_back("errors",
+                     errors.any() ? fmt::format("standard errors from {}, nan where they are too few", blocks)
+                                  : fmt::format("nan: {} are too few for standard errors", blocks));
+}
+
 void average(const AverageOptions& options) {
-  const AveragingOptions averaging{options.bulk_types, branch_of(options.branch)};
-  const Averager averager(volumes_of(options), make_weight(options.weight), make_fields(options.fields),
-                          averaging);
-  const FrameSource source = source_of(options, averager);
+  const auto averager = make_averager(options.volumes, fields_of(options));
+  const FrameSource source = source_of(options.input, *averager);
   Outputs outputs(options.out);
-  FrameRange range;
-  const TimeAverage sums = sum_frames(source, averager, options.quiet, range);
-  const Table table = averager.solve(sums.mean());
-  outputs.commit(csv_text(preamble_of(options, source, range, sums.frames()), table));
+  const Averaged averaged = sum_frames(source, *averager, options);
+  const Rows mean = averaged.sums.mean();
+  Table table = averager->solve(mean);
+  Preamble lines = preamble_of(options, source, averaged);
+  for (const std::string& note : averager->notes(mean)) lines.emplace_back("note", note);
+  if (options.error_blocks > 0) add_errors(*averager, averaged.sums, table, lines);
+  outputs.commit(csv_text(lines, table));
 }
 
 }  // namespace

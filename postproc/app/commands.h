@@ -9,5 +9,6 @@ namespace mikromakro {
 void add_average_command(CLI::App& program);
 void add_info_command(CLI::App& program);
 void add_fit_command(CLI::App& program);
+void add_audit_command(CLI::App& program);
 
 }  // namespace mikromakro

@@ -13,7 +13,7 @@ namespace mikromakro {
 namespace {
 
 struct FitOptions {
-  std::string file, column = "v_phi";
+  std::string file, column = "v_phi", weights = "none";
   std::vector<double> range;
   double ri = std::nan("");
   double omega = std::nan("");
@@ -29,8 +29,7 @@ struct FitResult {
 FitResult fit_file(const FitOptions& options) {
   const CsvTable table(options.file);
   ProfilePoints points{table.column("r"), table.column(options.column), {}};
-  const std::string error = options.column + "_err";
-  if (table.has(error)) points.error = table.column(error);
+  if (options.weights == "errors") points.error = table.column(options.column + "_err");
   if (table.rows() == 0) throw bad_input({options.file}, "the table is empty", "rows of numbers", "none");
   if (options.range.size() == 2) {
     const bool ordered = options.range[0] < options.range[1];
@@ -89,6 +88,9 @@ void add_fit_command(CLI::App& program) {
   auto options = std::make_shared<FitOptions>();
   app->add_option("file", options->file, "table of `mikromakro average`")->required();
   app->add_option("--column", options->column, "column to fit, default v_phi");
+  app->add_option("--weights", options->weights,
+                  "none (default): each ring counts the same; errors: by its standard error COLUMN_err")
+      ->check(CLI::IsMember({"none", "errors"}));
   app->add_option("--range", options->range, "R1 R2: rings with R1 <= r <= R2 only (m)")->expected(2);
   app->add_option("--ri", options->ri, "R_i (m), default r_inner of the first ring");
   app->add_option("--omega", options->omega, "rate of rotation of the wheel (rad/s), for v0/(Omega R_i)");

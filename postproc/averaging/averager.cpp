@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <stdexcept>
 
 namespace mikromakro {
 
@@ -10,7 +11,24 @@ struct Averager::Scratch {
   std::vector<Share> shares;
   std::vector<DiscContact> contacts;
   Eigen::Array<double, 1, Eigen::Dynamic> quantity;
+  double mean_radius = 0;
 };
+
+namespace {
+
+// The fields whose columns a field takes, among those before it.
+std::vector<std::size_t> find_sources(const FieldList& fields, std::size_t of) {
+  std::vector<std::size_t> sources;
+  for (const std::string_view name : fields[of].field->sources()) {
+    std::size_t source = 0;
+    while (source < of && fields[source].field->name() != name) ++source;
+    if (source == of) throw std::logic_error("a field stands before its source");
+    sources.push_back(source);
+  }
+  return sources;
+}
+
+}  // namespace
 
 Averager::Averager(std::unique_ptr<const Volumes> volumes, std::unique_ptr<const Weight> weight,
                    FieldList fields, const AveragingOptions& options)
@@ -19,8 +37,10 @@ Averager::Averager(std::unique_ptr<const Volumes> volumes, std::unique_ptr<const
       fields_(std::move(fields)),
       offsets_{0},
       options_(options) {
-  for (const auto& field : fields_)
-    offsets_.push_back(offsets_.back() + static_cast<std::size_t>(field->sums()));
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    offsets_.push_back(offsets_.back() + static_cast<std::size_t>(fields_[i].field->sums()));
+    sources_.push_back(find_sources(fields_, i));
+  }
 }
 
 bool Averager::is_bulk(const Particle& particle) const {
@@ -28,11 +48,23 @@ bool Averager::is_bulk(const Particle& particle) const {
   return types.empty() || std::find(types.begin(), types.end(), particle.type) != types.end();
 }
 
+double Averager::mean_radius(const Frame& frame) const {
+  double sum = 0;
+  int count = 0;
+  for (const Particle& particle : frame.particles) {
+    if (!is_bulk(particle)) continue;
+    sum += particle.radius;
+    ++count;
+  }
+  return sum / count;
+}
+
 Rows Averager::frame_sums(const Frame& frame) const {
   Rows sums = Rows::Zero(volumes_->count(), static_cast<Eigen::Index>(offsets_.back()));
   const ContactLists lists(frame);
   Scratch scratch;
   scratch.quantity.resize(sums.cols());
+  scratch.mean_radius = mean_radius(frame);
   for (int i = 0; i < static_cast<int>(frame.particles.size()); ++i) {
     const Particle& particle = frame.particles[static_cast<std::size_t>(i)];
     if (!is_bulk(particle)) continue;
@@ -57,8 +89,8 @@ void Averager::collect(const Frame& frame, int particle, std::span<const Contact
     const double cut = options_.branch == Branch::radius ? 0.0
                        : contact.with_wall()             ? contact.overlap
                                                          : 0.5 * contact.overlap;
-    scratch.contacts.push_back(
-        {normal, basis * (side * contact.force), (from.radius - cut) * normal, contact.overlap});
+    scratch.contacts.push_back({normal, basis * (side * contact.force), (from.radius - cut) * normal,
+                                contact.overlap, contact.spring});
   }
   Disc disc;
   disc.volume = std::numbers::pi * from.radius * from.radius * volumes_->height();
@@ -67,48 +99,96 @@ void Averager::collect(const Frame& frame, int particle, std::span<const Contact
   disc.velocity = basis * from.velocity;
   disc.spin = from.spin;
   disc.contacts = static_cast<int>(ends.size());
+  disc.mean_radius = scratch.mean_radius;
   scratch.quantity.setZero();
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     const std::span<double> quantity(scratch.quantity.data() + offsets_[i], offsets_[i + 1] - offsets_[i]);
-    fields_[i]->add_disc(disc, quantity);
-    fields_[i]->add_contacts(disc, scratch.contacts, quantity);
+    fields_[i].field->add_disc(disc, quantity);
+    fields_[i].field->add_contacts(disc, scratch.contacts, quantity);
   }
 }
 
+std::vector<Column> Averager::columns() const {
+  std::vector<Column> columns;
+  for (const ListedField& listed : fields_) {
+    if (!listed.shown) continue;
+    for (Column& column : listed.field->columns(volumes_->axes())) columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+// What a field solves from: its sums, then the columns of its sources.
+Rows Averager::numbers(std::size_t field, const Rows& mean_sums, const std::vector<Rows>& solved) const {
+  Eigen::Index filled = fields_[field].field->sums();
+  Eigen::Index width = filled;
+  for (const std::size_t source : sources_[field]) width += solved[source].cols();
+  Rows numbers(mean_sums.rows(), width);
+  numbers.leftCols(filled) = mean_sums.middleCols(static_cast<Eigen::Index>(offsets_[field]), filled);
+  for (const std::size_t source : sources_[field]) {
+    numbers.middleCols(filled, solved[source].cols()) = solved[source];
+    filled += solved[source].cols();
+  }
+  return numbers;
+}
+
+Rows Averager::values(const Rows& mean_sums) const {
+  const VolumeData data{volumes_->measure(), volumes_->height(), volumes_->radii()};
+  std::vector<Rows> solved;
+  Eigen::Index width = 0;
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    const auto columns = static_cast<Eigen::Index>(fields_[i].field->columns(volumes_->axes()).size());
+    Rows rows(volumes_->count(), columns);
+    fields_[i].field->solve(data, numbers(i, mean_sums, solved), rows);
+    solved.push_back(std::move(rows));
+    if (fields_[i].shown) width += columns;
+  }
+  Rows values(volumes_->count(), width);
+  Eigen::Index begin = 0;
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    if (!fields_[i].shown) continue;
+    values.middleCols(begin, solved[i].cols()) = solved[i];
+    begin += solved[i].cols();
+  }
+  return values;
+}
+
 Table Averager::solve(const Rows& mean_sums) const {
-  const VolumeData data{volumes_->measure()};
   Table table;
   table.columns = volumes_->columns();
-  std::vector<Eigen::Index> begin;
-  for (const auto& field : fields_) {
-    begin.push_back(static_cast<Eigen::Index>(table.columns.size()));
-    for (Column& column : field->columns(volumes_->axes())) table.columns.push_back(std::move(column));
-  }
-  begin.push_back(static_cast<Eigen::Index>(table.columns.size()));
-  table.rows.resize(volumes_->count(), begin.back());
-  table.rows.leftCols(begin.front()) = volumes_->coordinates();
-  for (std::size_t i = 0; i < fields_.size(); ++i) {
-    const auto sums = mean_sums.middleCols(static_cast<Eigen::Index>(offsets_[i]), fields_[i]->sums());
-    fields_[i]->solve(data, sums, table.rows.middleCols(begin[i], begin[i + 1] - begin[i]));
-  }
+  const Rows coordinates = volumes_->coordinates();
+  const Rows solved = values(mean_sums);
+  for (Column& column : columns()) table.columns.push_back(std::move(column));
+  table.rows.resize(volumes_->count(), coordinates.cols() + solved.cols());
+  table.rows << coordinates, solved;
   return table;
+}
+
+std::vector<std::string> Averager::notes(const Rows& mean_sums) const {
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    const Field& field = *fields_[i].field;
+    const auto sums = mean_sums.middleCols(static_cast<Eigen::Index>(offsets_[i]), field.sums());
+    const std::string note = field.note(sums);
+    if (!note.empty()) notes.push_back(note);
+  }
+  return notes;
 }
 
 ColumnSet Averager::particles_needed() const {
   ColumnSet needed = options_.bulk_types.empty() ? 0 : column_set(ParticleColumn::type);
-  for (const auto& field : fields_) needed |= field->particles_needed();
+  for (const ListedField& listed : fields_) needed |= listed.field->particles_needed();
   return needed;
 }
 
 ColumnSet Averager::contacts_needed() const {
   ColumnSet needed = options_.branch == Branch::contact ? column_set(ContactColumn::overlap) : 0;
-  for (const auto& field : fields_) needed |= field->contacts_needed();
+  for (const ListedField& listed : fields_) needed |= listed.field->contacts_needed();
   return needed;
 }
 
 bool Averager::needs_contacts() const {
   return std::any_of(fields_.begin(), fields_.end(),
-                     [](const auto& field) { return field->needs_contacts(); });
+                     [](const ListedField& listed) { return listed.field->needs_contacts(); });
 }
 
 }  // namespace mikromakro

@@ -33,8 +33,15 @@ class Averager {
   /// frame.
   Rows frame_sums(const Frame& frame) const;
 
-  /// The fields' columns, after the columns that describe the volumes, from the mean of such sums.
+  /// The columns of the fields that were asked for.
+  std::vector<Column> columns() const;
+  /// Their values from the mean of such sums.
+  Rows values(const Rows& mean_sums) const;
+  /// Both, after the columns that describe the volumes.
   Table solve(const Rows& mean_sums) const;
+
+  /// What the fields have to say about their columns.
+  std::vector<std::string> notes(const Rows& mean_sums) const;
 
   /// What the dumps must contain for the fields (and the branch) that were asked for.
   ColumnSet particles_needed() const;
@@ -44,12 +51,15 @@ class Averager {
  private:
   struct Scratch;
   bool is_bulk(const Particle& particle) const;
+  double mean_radius(const Frame& frame) const;
+  Rows numbers(std::size_t field, const Rows& mean_sums, const std::vector<Rows>& solved) const;
   void collect(const Frame& frame, int particle, std::span<const ContactEnd> ends, Scratch& scratch) const;
 
   std::unique_ptr<const Volumes> volumes_;
   std::unique_ptr<const Weight> weight_;
   FieldList fields_;
-  std::vector<std::size_t> offsets_;  ///< of each field's numbers; the last one is their total
+  std::vector<std::size_t> offsets_;               ///< of each field's numbers; the last one is their total
+  std::vector<std::vector<std::size_t>> sources_;  ///< of each field, as indices
   AveragingOptions options_;
 };
 

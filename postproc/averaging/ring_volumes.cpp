@@ -49,6 +49,10 @@ Eigen::ArrayXd RingVolumes::measure() const {
   return measure;
 }
 
+Eigen::ArrayXd RingVolumes::radii() const {
+  return coordinates().col(2);
+}
+
 Eigen::Matrix2d RingVolumes::basis(const Eigen::Vector2d& point) const {
   const Eigen::Vector2d arm = point - centre_;
   const double distance = arm.norm();

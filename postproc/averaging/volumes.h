@@ -32,6 +32,9 @@ class Volumes {
   /// Rotation whose rows are the two directions of the basis at a point (m).
   virtual Eigen::Matrix2d basis(const Eigen::Vector2d& point) const = 0;
 
+  /// Middle radius of each ring, ascending (m); empty where the volumes are not a sequence of rings.
+  virtual Eigen::ArrayXd radii() const { return {}; }
+
   /// Appends the volumes that the disc touches with the part of its area in each, in ascending order.
   virtual void slice(const Eigen::Vector2d& centre, double radius, std::vector<Share>& shares) const = 0;
   /// The volume that holds the point, -1 for none.

@@ -6,8 +6,6 @@ std::vector<Column> Fabric::columns(const Axes& axes) const {
   return tensor_columns("F", axes, {"", "1", "seed Table 1", "fabric tensor"});
 }
 
-void Fabric::add_disc(const Disc& /*disc*/, std::span<double> /*quantity*/) const {}
-
 void Fabric::add_contacts(const Disc& disc, std::span<const DiscContact> contacts,
                           std::span<double> quantity) const {
   for (const DiscContact& contact : contacts)

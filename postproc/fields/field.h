@@ -19,8 +19,9 @@ struct Disc {
   double radius = 0;
   double mass = 0;
   Eigen::Vector2d velocity;
-  double spin = 0;   ///< omega_z, rad/s
-  int contacts = 0;  ///< number of its contacts, walls and wall discs included
+  double spin = 0;         ///< omega_z, rad/s
+  int contacts = 0;        ///< number of its contacts, walls and wall discs included
+  double mean_radius = 0;  ///< of all averaged discs of the frame, by number
 };
 
 /// A contact as seen from that disc, in the same basis.
@@ -29,6 +30,9 @@ struct DiscContact {
   Eigen::Vector2d force;   ///< f^c on the disc, N
   Eigen::Vector2d branch;  ///< l^pc, m
   double overlap = 0;      ///< m, > 0
+  double spring = 0;       ///< slip xi along t = (-n_y, n_x), the same from either disc; nan: not in the dump
+
+  Eigen::Vector2d tangent() const { return {-normal[1], normal[0]}; }
 };
 
 /// Names of the two directions: {"r", "phi"} or {"x", "y"}.
@@ -41,12 +45,15 @@ using RowsRef = Eigen::Ref<Rows, 0, Eigen::OuterStride<>>;
 /// The volumes over which was averaged, as far as solving needs them.
 struct VolumeData {
   Eigen::ArrayXd measure;  ///< V = area * h of each volume, m^3
+  double height = 0;       ///< h, m
+  Eigen::ArrayXd radius;   ///< r of each ring, ascending, m; empty where the volumes are no rings
 };
 
 /// A field declares the quantity V^p Q^p of one disc in Eq. 4, Q = 1/V sum_p w^p V^p Q^p, as a list of
 /// numbers, split into what comes from the disc and what comes from its contacts. The averager does the
 /// weighting, the sum over discs and the mean over frames; the field then solves its columns from the summed
-/// numbers. Fields have no state.
+/// numbers. Instead of sums, or beside them, a field may take the columns of other fields. Fields have no
+/// state but the options with which they were made.
 class Field {
  public:
   Field() = default;
@@ -57,6 +64,11 @@ class Field {
   /// Name for --fields.
   virtual std::string_view name() const = 0;
   virtual std::vector<Column> columns(const Axes& axes) const = 0;
+  /// Names of the fields whose columns solve() takes. They stand before this one in the registry.
+  virtual std::vector<std::string_view> sources() const { return {}; }
+
+  /// The option without which the field has no value and which was not given; empty: none.
+  virtual std::string_view missing_option() const { return {}; }
 
   /// Columns of the dumps without which the field has no value.
   virtual ColumnSet particles_needed() const { return 0; }
@@ -65,19 +77,32 @@ class Field {
   virtual bool needs_contacts() const { return false; }
 
   /// How many numbers are summed; the spans below have this length.
-  virtual int sums() const = 0;
+  virtual int sums() const { return 0; }
   /// Adds the disc's own part to `quantity`.
-  virtual void add_disc(const Disc& disc, std::span<double> quantity) const = 0;
+  virtual void add_disc(const Disc& disc, std::span<double> quantity) const;
   /// Adds the part of some of its contacts.
   virtual void add_contacts(const Disc& disc, std::span<const DiscContact> contacts,
                             std::span<double> quantity) const;
 
-  /// From sums (volumes x sums()) to columns (volumes x columns().size()); nan where a value is undefined.
-  virtual void solve(const VolumeData& volumes, const ConstRowsRef& sums, RowsRef columns) const = 0;
+  /// To columns (volumes x columns().size()) from numbers: the mean sums (volumes x sums()), then the columns
+  /// of each source. nan where a value is undefined.
+  virtual void solve(const VolumeData& volumes, const ConstRowsRef& numbers, RowsRef columns) const = 0;
+  /// What the reader of the columns must know and only the numbers tell; empty: nothing.
+  virtual std::string note(const ConstRowsRef& numbers) const;
 };
 
+inline void Field::add_disc(const Disc& /*disc*/, std::span<double> /*quantity*/) const {}
 inline void Field::add_contacts(const Disc& /*disc*/, std::span<const DiscContact> /*contacts*/,
                                 std::span<double> /*quantity*/) const {}
+inline std::string Field::note(const ConstRowsRef& /*numbers*/) const {
+  return {};
+}
+
+/// `count` numbers of one volume, from the `first` one on.
+inline std::span<const double> numbers_of(const ConstRowsRef& numbers, Eigen::Index volume,
+                                          Eigen::Index first, std::size_t count) {
+  return {numbers.data() + volume * numbers.outerStride() + first, count};
+}
 
 /// The four columns of a tensor, row by row: `name`_rr, `name`_rphi, `name`_phir, `name`_phiphi.
 std::vector<Column> tensor_columns(std::string_view name, const Axes& axes, const Column& like);

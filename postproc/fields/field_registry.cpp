@@ -1,32 +1,110 @@
 #include "fields/field_registry.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "fields/contact_angles.h"
 #include "fields/coordination.h"
+#include "fields/couple_stress.h"
+#include "fields/curvature.h"
+#include "fields/elastic_strain.h"
 #include "fields/fabric.h"
 #include "fields/kinetic_stress.h"
+#include "fields/number_coordination.h"
+#include "fields/principal_axes.h"
+#include "fields/rattlers.h"
+#include "fields/rotational_stiffness.h"
+#include "fields/size_correction.h"
+#include "fields/sliding_contacts.h"
 #include "fields/solid_fraction.h"
 #include "fields/spin.h"
+#include "fields/stiffness.h"
 #include "fields/stress.h"
 #include "fields/velocity.h"
+#include "fields/velocity_gradient.h"
+#include "fields/velocity_gradient_fit.h"
 #include "io/error.h"
 
 namespace mikromakro {
 namespace {
 
-template <typename... Fields>
-FieldList make_all() {
-  FieldList fields;
-  (fields.push_back(std::make_unique<const Fields>()), ...);
-  return fields;
+using FieldPointer = std::unique_ptr<const Field>;
+
+template <typename Made>
+FieldPointer plain(const FieldOptions& /*options*/) {
+  return std::make_unique<const Made>();
 }
 
-// A new field is added here, and nowhere else.
-FieldList all_fields() {
-  return make_all<SolidFraction, Coordination, Velocity, Spin, Fabric, Stress, KineticStress>();
+template <typename Made>
+FieldPointer with_stiffness(const FieldOptions& options) {
+  return std::make_unique<const Made>(options.normal_stiffness);
+}
+FieldPointer sliding(const FieldOptions& options) {
+  return std::make_unique<const SlidingContacts>(options.friction_coefficient);
+}
+FieldPointer histogram(const FieldOptions& options) {
+  return std::make_unique<const ContactAngleHistogram>(options.histogram_bins);
+}
+
+constexpr PrincipalAxes::Tensor stress_axes{"stress_axes", "stress", "sigma", "Pa", true};
+constexpr PrincipalAxes::Tensor strain_axes{"strain_axes", "elastic_strain", "eps", "1", true};
+constexpr PrincipalAxes::Tensor fabric_axes{"fabric_axes", "fabric", "F", "1", false};
+template <const PrincipalAxes::Tensor& tensor>
+FieldPointer axes_of(const FieldOptions& /*options*/) {
+  return std::make_unique<const PrincipalAxes>(tensor);
+}
+
+struct Entry {
+  FieldPointer (*make)(const FieldOptions&);
+  bool by_default = true;
+};
+
+// A new field is added here, and nowhere else; sources before those that use them.
+constexpr Entry entries[] = {
+    {plain<SolidFraction>},
+    {plain<Coordination>},
+    {plain<Velocity>},
+    {plain<Spin>},
+    {plain<Fabric>},
+    {plain<Stress>},
+    {plain<KineticStress>},
+    {plain<ElasticStrain>},
+    {plain<CoupleStress>},
+    {with_stiffness<Curvature>},
+    {plain<VelocityGradient>},
+    {with_stiffness<Stiffness>},
+    {plain<RotationalStiffness>},
+    {plain<VelocityGradientFit>, false},
+    {axes_of<stress_axes>, false},
+    {axes_of<strain_axes>, false},
+    {axes_of<fabric_axes>, false},
+    {plain<NumberCoordination>, false},
+    {plain<SizeCorrection>, false},
+    {plain<ContactAngles>, false},
+    {histogram, false},
+    {sliding, false},
+    {plain<Rattlers>, false},
+};
+
+std::vector<std::string_view> names_of(bool defaults_only) {
+  std::vector<std::string_view> names;
+  for (const Entry& entry : entries)
+    if (entry.by_default || !defaults_only) names.push_back(entry.make({})->name());
+  return names;
+}
+
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void check_names(const std::vector<std::string>& names) {
+  const auto& known = field_names();
+  for (const std::string& name : names) {
+    if (name != "all" && std::find(known.begin(), known.end(), name) == known.end())
+      throw bad_input({"--fields"}, "unknown field", "all, or names that `mikromakro average --help` lists",
+                      in_quotes(name));
+  }
 }
 
 }  // namespace
@@ -41,26 +119,38 @@ std::vector<Column> tensor_columns(std::string_view name, const Axes& axes, cons
 }
 
 const std::vector<std::string_view>& field_names() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> all;
-    for (const auto& field : all_fields()) all.push_back(field->name());
-    return all;
-  }();
+  static const std::vector<std::string_view> names = names_of(false);
   return names;
 }
 
-FieldList make_fields(const std::vector<std::string>& names) {
-  const auto& known = field_names();
-  for (const std::string& name : names) {
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw bad_input({"--fields"}, "unknown field", fmt::format("one of {}", fmt::join(known, " ")),
-                      in_quotes(name));
+std::vector<std::string_view> default_field_names() {
+  return names_of(true);
+}
+
+FieldList make_fields(const std::vector<std::string>& names, const FieldOptions& options) {
+  check_names(names);
+  const bool all = contains(names, "all");
+  FieldList fields;
+  for (const Entry& entry : entries) {
+    ListedField listed{entry.make(options)};
+    listed.shown = all || (names.empty() ? entry.by_default : contains(names, listed.field->name()));
+    const std::string_view missing = listed.field->missing_option();
+    if (!missing.empty() && contains(names, listed.field->name()))
+      throw bad_input({"--fields"}, fmt::format("{} has no value", listed.field->name()),
+                      fmt::format("the option {}", missing), "none");
+    if (!missing.empty()) listed.shown = false;
+    fields.push_back(std::move(listed));
   }
-  FieldList fields = all_fields();
-  const auto not_asked = [&](const std::unique_ptr<const Field>& field) {
-    return !names.empty() && std::find(names.begin(), names.end(), field->name()) == names.end();
-  };
-  fields.erase(std::remove_if(fields.begin(), fields.end(), not_asked), fields.end());
+  // Backwards, so that the sources of sources are kept too.
+  std::vector<std::string> needed;
+  for (std::size_t i = fields.size(); i-- > 0;) {
+    const Field& field = *fields[i].field;
+    if (!fields[i].shown && !contains(needed, field.name())) {
+      fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(i));
+    } else {
+      for (const std::string_view source : field.sources()) needed.emplace_back(source);
+    }
+  }
   return fields;
 }
 

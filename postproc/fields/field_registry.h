@@ -10,12 +10,27 @@
 
 namespace mikromakro {
 
-using FieldList = std::vector<std::unique_ptr<const Field>>;
+/// Numbers that some fields need beside the dumps; 0 where they are not given.
+struct FieldOptions {
+  double normal_stiffness = 0;      ///< k_n, N/m
+  double friction_coefficient = 0;  ///< mu
+  int histogram_bins = 0;           ///< of the contact angles
+};
 
-/// Names in the order of the output's columns.
+/// A field, and whether its columns are wanted or only what other fields make of them.
+struct ListedField {
+  std::unique_ptr<const Field> field;
+  bool shown = true;
+};
+using FieldList = std::vector<ListedField>;
+
+/// Names in the order of the output's columns: first those that are averaged when no names are given.
 const std::vector<std::string_view>& field_names();
+std::vector<std::string_view> default_field_names();
 
-/// The named fields, in the order of the output; all of them for an empty list. Throws on an unknown name.
-FieldList make_fields(const std::vector<std::string>& names);
+/// The named fields, in the order of the output, with the sources that they need; the default ones for an
+/// empty list, each that the options allow for "all". Throws on an unknown name, and on a field that needs an
+/// option that is not given.
+FieldList make_fields(const std::vector<std::string>& names, const FieldOptions& options = {});
 
 }  // namespace mikromakro

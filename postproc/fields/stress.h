@@ -14,7 +14,6 @@ class Stress : public Field {
   ColumnSet contacts_needed() const override { return column_set(ContactColumn::fx, ContactColumn::fy); }
   bool needs_contacts() const override { return true; }
   int sums() const override { return 4; }
-  void add_disc(const Disc& disc, std::span<double> quantity) const override;
   void add_contacts(const Disc& disc, std::span<const DiscContact> contacts,
                     std::span<double> quantity) const override;
   void solve(const VolumeData& volumes, const ConstRowsRef& sums, RowsRef columns) const override;

@@ -20,14 +20,19 @@ struct RingSetup {
   double height = 1;
   std::string weight = "sliced";
   AveragingOptions options = {};
+  std::vector<std::string> fields = {};
+  FieldOptions field_options = {};
 };
 
 class RingAverage {
  public:
   RingAverage(const Frame& frame, const RingSetup& setup) {
     const Averager averager(std::make_unique<const RingVolumes>(setup.centre, setup.edges, setup.height),
-                            make_weight(setup.weight), make_fields({}), setup.options);
-    table_ = averager.solve(averager.frame_sums(frame));
+                            make_weight(setup.weight), make_fields(setup.fields, setup.field_options),
+                            setup.options);
+    const Rows sums = averager.frame_sums(frame);
+    table_ = averager.solve(sums);
+    notes_ = averager.notes(sums);
   }
 
   double at(const std::string& column, int ring = 0) const {
@@ -38,9 +43,11 @@ class RingAverage {
   }
 
   const Table& table() const { return table_; }
+  const std::vector<std::string>& notes() const { return notes_; }
 
  private:
   Table table_;
+  std::vector<std::string> notes_;
 };
 
 inline Particle make_disc(std::int64_t id, const Eigen::Vector2d& position, double radius, int type = 1) {

@@ -127,7 +127,6 @@ class ContactProbe : public Field {
   std::string_view name() const override { return "probe"; }
   std::vector<Column> columns(const Axes& axes) const override { return tensor_columns("probe", axes, {}); }
   int sums() const override { return 4; }
-  void add_disc(const Disc& /*disc*/, std::span<double> /*quantity*/) const override {}
   void add_contacts(const Disc& /*disc*/, std::span<const DiscContact> contacts,
                     std::span<double> quantity) const override {
     for (const DiscContact& contact : contacts) {
@@ -149,7 +148,7 @@ TEST(Averager, EachDiscSeesItsContactFromItsOwnSide) {
   frame.particles = {make_disc(1, {3, 0}, 1), make_disc(2, {4.9, 0}, 1)};
   frame.contacts = {make_contact(frame, 0, 1, 100)};
   FieldList fields;
-  fields.push_back(std::make_unique<const ContactProbe>());
+  fields.push_back({std::make_unique<const ContactProbe>()});
   const Averager averager(
       std::make_unique<const RingVolumes>(Eigen::Vector2d(0, 0), std::vector<double>{2, 4, 6}, 1),
       make_weight("centre"), std::move(fields), {});

@@ -1,0 +1,50 @@
+// What the contacts of snapshots say at once: torque on the wheel, and how far discs are from equilibrium.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "io/frame.h"
+
+namespace mikromakro {
+
+/// Which contacts count.
+struct ContactBalanceOptions {
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of the wheel, m
+  std::vector<int> bulk_types;                       ///< empty: all types but those of the wheel
+  std::vector<int> wheel_types;                      ///< types of the wheel's discs, may be empty
+};
+
+/// Means over the frames that were added.
+class ContactBalance {
+ public:
+  explicit ContactBalance(const ContactBalanceOptions& options) : options_(options) {}
+
+  void add(const Frame& frame);
+
+  /// Torque of the bulk discs on the wheel about the centre, N m, counter-clockwise positive: sum over
+  /// contacts of (r_c - centre) x (-f), with f on the bulk disc and r_c the contact point (in the middle of
+  /// the overlap). The wheel are discs of its types and the inner ring (id2 = 0). nan where no contact with
+  /// it was ever there.
+  double wheel_torque() const;
+
+  /// Mean over bulk discs with contacts of |sum of their contact forces|, over the mean |f| of their
+  /// contacts: 0 in static equilibrium. nan without contacts.
+  double force_residual() const;
+
+ private:
+  bool is_bulk(const Frame& frame, int particle) const;
+  bool is_wheel(const Frame& frame, const Contact& contact, int particle) const;
+  double torque_on_wheel(const Frame& frame, const Contact& contact, bool bulk_is_first);
+
+  ContactBalanceOptions options_;
+  std::int64_t frames_ = 0;
+  std::int64_t wheel_contacts_ = 0;
+  double torque_ = 0;
+  std::int64_t discs_ = 0;
+  double residual_ = 0;
+  std::int64_t contacts_ = 0;
+  double force_ = 0;
+};
+
+}  // namespace mikromakro

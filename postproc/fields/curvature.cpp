@@ -1,0 +1,75 @@
+#include "fields/curvature.h"
+
+#include <cmath>
+#include <limits>
+
+#include "fields/branch_dyad.h"
+#include "fields/cross_product.h"
+
+namespace mikromakro {
+namespace {
+
+// Places of the sums: from springs, from forces, size of the springs, l (x) l.
+constexpr int of_springs = 0;
+constexpr int of_forces = 2;
+constexpr int spring_size = 4;
+constexpr int dyad = 5;
+
+// A tangential force below this part of the force is rounding (of text dumps, too) of a law without friction.
+constexpr double no_friction = 1e-9;
+
+// One choice for all volumes: a volume without tangential forces belongs to the same law as the others.
+bool has_springs(const ConstRowsRef& numbers) {
+  return (numbers.col(spring_size) > 0).any();
+}
+
+}  // namespace
+
+std::vector<Column> Curvature::columns(const Axes& axes) const {
+  const std::string text = "curvature; its displacement is named in the note above";
+  return {{"kappa_z" + axes[0], "m", "seed Table 2", text}, {"kappa_z" + axes[1], "m", "seed Table 2", text}};
+}
+
+int Curvature::sums() const {
+  return dyad + branch_dyad_sums;
+}
+
+void Curvature::add_contacts(const Disc& /*disc*/, std::span<const DiscContact> contacts,
+                             std::span<double> quantity) const {
+  for (const DiscContact& contact : contacts) {
+    const double arm = cross(contact.branch, contact.tangent());
+    const double spring = std::isnan(contact.spring) ? 0.0 : contact.spring;
+    const double tangential = contact.force.dot(contact.tangent());
+    const double force = std::abs(tangential) > no_friction * contact.force.norm() ? tangential : 0.0;
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto place = static_cast<std::size_t>(axis);
+      quantity[of_springs + place] -= spring * arm * contact.branch[axis];
+      quantity[of_forces + place] += force * arm * contact.branch[axis];
+    }
+    quantity[spring_size] += std::abs(spring);
+  }
+  add_branch_dyad(contacts, quantity.subspan(dyad));
+}
+
+void Curvature::solve(const VolumeData& /*volumes*/, const ConstRowsRef& numbers, RowsRef columns) const {
+  const bool springs = has_springs(numbers);
+  if (!springs && !(normal_stiffness_ > 0)) {
+    columns = std::numeric_limits<double>::quiet_NaN();
+    return;
+  }
+  const double per_number = springs ? 1.0 : 1.0 / normal_stiffness_;
+  for (Eigen::Index row = 0; row < numbers.rows(); ++row) {
+    const auto sums = numbers_of(numbers, row, springs ? of_springs : of_forces, 2);
+    const Eigen::Matrix2d inverse = inverse_branch_dyad(numbers_of(numbers, row, dyad, branch_dyad_sums));
+    const Eigen::RowVector2d curvature = per_number * Eigen::RowVector2d(sums[0], sums[1]) * inverse;
+    columns.row(row) << curvature[0], curvature[1];
+  }
+}
+
+std::string Curvature::note(const ConstRowsRef& numbers) const {
+  if (has_springs(numbers)) return "curvature: Delta_t = -xi t, from the tangential springs";
+  if (normal_stiffness_ > 0) return "curvature: no tangential springs, Delta_t = f_t/k_n";
+  return "curvature: no tangential springs and no --kn, not defined";
+}
+
+}  // namespace mikromakro

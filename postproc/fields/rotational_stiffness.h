@@ -1,0 +1,18 @@
+// Rotational stiffness (seed, Bild 12).
+#pragma once
+
+#include "fields/field.h"
+
+namespace mikromakro {
+
+/// mu_c = M.kappa/kappa.kappa, Pa: the least-squares quotient of couple stress and curvature over their two
+/// components (the seed's 'quotient of the components', in one number). nan where kappa is 0 or undefined.
+class RotationalStiffness : public Field {
+ public:
+  std::string_view name() const override { return "rotational_stiffness"; }
+  std::vector<Column> columns(const Axes& axes) const override;
+  std::vector<std::string_view> sources() const override { return {"couple_stress", "curvature"}; }
+  void solve(const VolumeData& volumes, const ConstRowsRef& numbers, RowsRef columns) const override;
+};
+
+}  // namespace mikromakro

@@ -1,0 +1,33 @@
+// Trace, deviator and principal direction of a tensor given as four columns.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+
+namespace mikromakro {
+
+/// Components rr, rphi, phir, phiphi.
+using TensorRow = std::span<const double>;
+
+inline double trace(TensorRow t) {
+  return t[0] + t[3];
+}
+
+/// V_max - V_min of the symmetric part, not halved: sqrt((V_rr - V_phiphi)^2 + (V_rphi + V_phir)^2).
+inline double deviator(TensorRow t) {
+  return std::hypot(t[0] - t[3], t[1] + t[2]);
+}
+
+/// Direction of the largest principal value of the symmetric part, counter-clockwise from e_r, degrees in
+/// (-90, 90]; with `of_smallest` that of the smallest. nan where all directions are equal.
+inline double principal_angle(TensorRow t, bool of_smallest) {
+  if (!(deviator(t) > 0)) return std::numeric_limits<double>::quiet_NaN();
+  const double side = of_smallest ? -1 : 1;
+  const double degrees = 90 / std::numbers::pi * std::atan2(side * (t[1] + t[2]), side * (t[0] - t[3]));
+  // atan2 gives -pi for a second argument below zero and a first one of -0.
+  return degrees <= -90 ? 90 : degrees;
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,19 @@
+// Rates of deformation and rotation of the exponential fit to the mean velocity (seed Eq. 9).
+#pragma once
+
+#include "fields/field.h"
+
+namespace mikromakro {
+
+/// D_rphi = -v/2 (1/s + 1/r), W_rphi = -v/2 (1/s - 1/r), 1/s, with v = v0 exp(-(r - R)/s) fitted to v_phi of
+/// all rings, each with the same weight (seed Eq. 9 and the sentence after it). nan where the volumes are no
+/// rings or no decaying exponential fits.
+class VelocityGradientFit : public Field {
+ public:
+  std::string_view name() const override { return "velocity_gradient_fit"; }
+  std::vector<Column> columns(const Axes& axes) const override;
+  std::vector<std::string_view> sources() const override { return {"velocity"}; }
+  void solve(const VolumeData& volumes, const ConstRowsRef& numbers, RowsRef columns) const override;
+};
+
+}  // namespace mikromakro
