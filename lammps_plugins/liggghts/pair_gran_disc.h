@@ -4,11 +4,14 @@
 // torques; the arithmetic of the law is not here.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "granular_pair_style.h"
+#include "physics/contact_batch.h"
 #include "physics/contact_law.h"
 #include "pointers.h"
 
@@ -30,24 +33,17 @@ struct AppliedContact {
 /// What the pair loop reads of a disc, and what it adds up for it.
 struct Place {
   double x, y, radius;
-  int type;  // from 0
 };
 struct Motion {
   double v_x, v_y, omega;
 };
 struct Load {
-  double f_x, f_y, torque;
+  double f_x = 0, f_y = 0, torque = 0;
 };
 
-enum class Touch : int { no, first, yes };
-
-/// A pair of the engine's neighbour list; flag and history are the engine's, so that its fixes find them
-/// there.
+/// A pair of the engine's neighbour list.
 struct NeighbourPair {
   int i, j;
-  Touch touch;
-  int* flag;
-  double* history;
 };
 
 class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected LAMMPS_NS::Pointers {
@@ -70,6 +66,7 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   physics::Effects effects() const { return effects_; }
 
  private:
+  using Lanes = std::array<int, physics::ContactBatch::lanes>;  // the pair in each lane
   using Loop = void (PairGranDisc::*)(LAMMPS_NS::PairGran&, bool addflag);
   struct Neighbours;
 
@@ -78,31 +75,49 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   std::vector<double> material_constant(const char* name, const char* symbol) const;
   void check_time_step() const;
   bool recording_due() const;
-  double slip_of(const physics::ContactState& state, bool touched, double& slip_rate) const;
   void choose_loops();
+  template <physics::Effects effects>
+  void use_loops_of();
   void gather();
-  void scatter() const;
+  void scatter();
   template <physics::Effects effects>
   void flatten(LAMMPS_NS::PairGran& pair);
   template <physics::Effects effects>
-  std::size_t find_contacts();
+  void find_first_contacts();
+  double* history_of(int index) const;
+  void start_spring(int index, int flag);
   template <physics::Effects effects>
-  void use_loops_of();
+  void load(physics::ContactBatch& batch, const int* lanes, int count) const;
+  template <physics::Effects effects>
+  int drop_ended(const physics::ContactBatch& batch, Lanes& lanes, int count);
+  void slip_of_first_contacts(physics::ContactBatch& batch, const int* lanes, int count, double dt) const;
+  template <physics::Effects effects>
+  void store(const physics::ContactBatch& batch, const int* lanes, int count, bool move_spring);
+  void observe(LAMMPS_NS::PairGran& pair, const physics::ContactBatch& batch, int lane, int index,
+               bool addflag);
+  [[noreturn]] void stop_at_coincident_centres(const physics::ContactBatch& batch, const Lanes& lanes) const;
   template <physics::Effects effects, bool observed>
   void loop(LAMMPS_NS::PairGran& pair, bool addflag);
-  template <physics::Effects effects>
-  void observe(LAMMPS_NS::PairGran& pair, const AppliedContact& contact, double* history, bool addflag);
-  [[noreturn]] void stop_at_coincident_centres(int i, int j) const;
 
   int64_t hash_;
   physics::Effects effects_;
   std::vector<physics::ContactParameters> parameters_;  // of type i and type j at (i - 1) * types + j - 1
-  // Of this step: owned and ghost discs, the loads on them, the indices of the pairs that touch.
+  // Of this step: owned and ghost discs, the loads on them.
   std::vector<Place> places_;
   std::vector<Motion> motions_;
   std::vector<Load> loads_;
-  std::vector<int> touching_;
-  std::vector<NeighbourPair> pairs_;  // since the neighbour list was built
+  std::vector<int> first_contacts_, ended_;  // pairs, sorted
+  std::unique_ptr<physics::ContactBatch> batch_ = std::make_unique<physics::ContactBatch>();
+  // Since the neighbour list was built: its pairs, the first of each disc, the engine's contact history, and
+  // which pairs touched in the last step (sorted, so that forces are summed in the same order whatever
+  // happened before).
+  std::vector<NeighbourPair> pairs_;
+  std::vector<int> first_pair_;
+  int** flags_ = nullptr;
+  double** histories_ = nullptr;
+  std::ptrdiff_t history_size_ = 0;
+  std::vector<int> touching_, apart_;
+  bool one_material_ = false;  // all pairs of types have the same constants
   Loop plain_loop_ = nullptr;
   Loop observed_loop_ = nullptr;
   bool predicted_ =
