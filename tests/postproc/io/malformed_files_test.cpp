@@ -171,8 +171,9 @@ TEST_F(Corpus, BytesAtRandomPlacesGiveAnErrorOrNumbers) {
     refused += result.refused();
     // A digit that became another digit cannot be noticed; what comes out is finite or undefined, nothing
     // else.
-    if (!result.refused())
+    if (!result.refused()) {
       EXPECT_TRUE(((result.table.rows.array().abs() < 1e300) || result.table.rows.array().isNaN()).all());
+    }
   }
   EXPECT_GT(refused, 1000);
 }
