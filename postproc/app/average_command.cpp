@@ -5,23 +5,24 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/input_options.h"
 #include "app/progress.h"
+#include "app/table_outputs.h"
 #include "averaging/averager.h"
 #include "averaging/ring_volumes.h"
 #include "averaging/time_average.h"
-#include "io/csv_writer.h"
 #include "io/error.h"
 #include "io/file_list.h"
 #include "io/frame_stream.h"
-#include "io/output_file.h"
 
 namespace mikromakro {
 namespace {
 
 struct AverageOptions {
-  std::vector<std::string> particles, contacts, particle_columns, contact_columns, fields;
+  InputOptions input;
+  std::vector<std::string> fields;
   std::vector<double> rings, center = {0, 0}, edges;
-  std::string weight = "sliced", branch = "radius", frames, steps;
+  std::string weight = "sliced", branch = "radius";
   std::vector<std::string> out;
   double height = 1;
   double kn = 0;
@@ -30,10 +31,7 @@ struct AverageOptions {
 };
 
 void add_options(CLI::App& app, AverageOptions& options) {
-  app.add_option("--particles", options.particles,
-                 "text dumps of particles (names or patterns, plain or gzip)")
-      ->required();
-  app.add_option("--contacts", options.contacts, "text dumps of contacts");
+  add_input_options(app, options.input);
   app.add_option("--rings", options.rings, "RMIN RMAX N: N equal rings (m)")->expected(3);
   app.add_option("--center", options.center, "X Y: centre of the rings (m), default 0 0")->expected(2);
   app.add_option("--edges", options.edges, "R0,R1,...: own radii of the rings (m)")->delimiter(',');
@@ -42,18 +40,14 @@ void add_options(CLI::App& app, AverageOptions& options) {
   app.add_option("--bulk-types", options.bulk_types, "types that are averaged, default all")->delimiter(',');
   app.add_option("--kn", options.kn, "normal stiffness k_n (N/m), noted in the output")
       ->check(CLI::PositiveNumber);
-  app.add_option("--frames", options.frames, "FIRST:LAST[:STEP]: frames by index from 0");
-  app.add_option("--steps", options.steps, "A:B: frames by time step");
-  app.add_option("--particle-columns", options.particle_columns, "names of all columns, - to skip one")
-      ->delimiter(',');
-  app.add_option("--contact-columns", options.contact_columns, "names of all columns, - to skip one")
-      ->delimiter(',');
   app.add_option("--branch", options.branch,
                  "branch vector: radius (a_p n, default) or contact (to the contact point)");
   app.add_option("--fields", options.fields, fmt::format("{}; default all", fmt::join(field_names(), ",")))
       ->delimiter(',');
-  app.add_option("--out", options.out,
-                 "FILE.csv, or - for standard output (default); may be given more than once")
+  app.add_option(
+         "--out", options.out,
+         "FILE.csv, .h5 or .vtkhdf (ParaView), or - for CSV on standard output (default); may be given more "
+         "than once")
       ->allow_extra_args(false);
   app.add_flag("--quiet", options.quiet, "no progress bar");
 }
@@ -83,48 +77,14 @@ std::unique_ptr<const Volumes> volumes_of(const AverageOptions& options) {
   return std::make_unique<const RingVolumes>(center, std::move(edges), options.height);
 }
 
-// Where the table goes to: every file is made at once, and filled when all frames are read.
-class Outputs {
- public:
-  explicit Outputs(const std::vector<std::string>& names) : to_stdout_(names.empty()) {
-    for (const std::string& name : names) {
-      if (name != "-" && !name.ends_with(".csv"))
-        throw bad_input({"--out"}, "unknown kind of output file", "a name ending in .csv, or -",
-                        in_quotes(name));
-    }
-    for (const std::string& name : names) {
-      if (name == "-") {
-        to_stdout_ = true;
-      } else {
-        files_.push_back(std::make_unique<OutputFile>(name));
-      }
-    }
-  }
-
-  void commit(const std::string& text) {
-    for (const auto& file : files_) file->commit(text);
-    if (to_stdout_) fmt::print("{}", text);
-  }
-
- private:
-  bool to_stdout_;
-  std::vector<std::unique_ptr<OutputFile>> files_;
-};
-
 FrameSource source_of(const AverageOptions& options, const Averager& averager) {
-  if (options.contacts.empty() && averager.needs_contacts()) {
+  if (options.input.contacts.empty() && options.input.snapshots.empty() && averager.needs_contacts()) {
     throw bad_input({"--contacts"}, "the fields need contacts",
                     "files of contacts, or --fields that need none", "none");
   }
-  FrameSource source;
-  source.particle_files = expand_files(options.particles);
-  source.contact_files = expand_files(options.contacts);
-  source.particle_columns = options.particle_columns;
-  source.contact_columns = options.contact_columns;
+  FrameSource source = frame_source(options.input);
   source.particles_needed = averager.particles_needed();
   source.contacts_needed = averager.contacts_needed();
-  if (!options.frames.empty()) select_frames(options.frames, source.selection);
-  if (!options.steps.empty()) select_steps(options.steps, source.selection);
   return source;
 }
 
@@ -134,7 +94,7 @@ struct FrameRange {
 };
 
 TimeAverage sum_frames(const FrameSource& source, const Averager& averager, bool quiet, FrameRange& range) {
-  Progress progress(total_size(source.particle_files) + total_size(source.contact_files), quiet);
+  Progress progress(total_size(source.files()), quiet);
   FrameStream stream(source);
   TimeAverage average;
   Frame frame;
@@ -145,7 +105,7 @@ TimeAverage sum_frames(const FrameSource& source, const Averager& averager, bool
     progress.update(stream.bytes_read(), average.frames());
   }
   if (average.frames() == 0)
-    throw bad_input({source.particle_files.front()}, "no frame is selected",
+    throw bad_input({source.files().front()}, "no frame is selected",
                     "frames that --frames and --steps select", "0");
   return average;
 }
@@ -153,14 +113,15 @@ TimeAverage sum_frames(const FrameSource& source, const Averager& averager, bool
 Preamble preamble_of(const AverageOptions& options, const FrameSource& source, const FrameRange& range,
                      std::int64_t frames) {
   Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " average"}};
+  for (const std::string& file : source.snapshot_files) lines.emplace_back("snapshots", file);
   for (const std::string& file : source.particle_files) lines.emplace_back("particles", file);
   for (const std::string& file : source.contact_files) lines.emplace_back("contacts", file);
   if (!options.fields.empty())
     lines.emplace_back("fields", fmt::format("{}", fmt::join(options.fields, ",")));
-  if (!options.particle_columns.empty())
-    lines.emplace_back("particle columns", fmt::format("{}", fmt::join(options.particle_columns, ",")));
-  if (!options.contact_columns.empty())
-    lines.emplace_back("contact columns", fmt::format("{}", fmt::join(options.contact_columns, ",")));
+  if (!options.input.particle_columns.empty())
+    lines.emplace_back("particle columns", fmt::format("{}", fmt::join(options.input.particle_columns, ",")));
+  if (!options.input.contact_columns.empty())
+    lines.emplace_back("contact columns", fmt::format("{}", fmt::join(options.input.contact_columns, ",")));
   lines.emplace_back("frames", fmt::format("{}, steps {} to {}", frames, range.first_step, range.last_step));
   if (options.edges.empty()) {
     lines.emplace_back("rings",
@@ -184,11 +145,12 @@ void average(const AverageOptions& options) {
   const Averager averager(volumes_of(options), make_weight(options.weight), make_fields(options.fields),
                           averaging);
   const FrameSource source = source_of(options, averager);
-  Outputs outputs(options.out);
+  TableOutputs outputs(options.out);
   FrameRange range;
   const TimeAverage sums = sum_frames(source, averager, options.quiet, range);
   const Table table = averager.solve(sums.mean());
-  outputs.commit(csv_text(preamble_of(options, source, range, sums.frames()), table));
+  outputs.commit(preamble_of(options, source, range, sums.frames()), table,
+                 {options.center[0], options.center[1]});
 }
 
 }  // namespace

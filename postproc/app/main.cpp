@@ -31,6 +31,8 @@ int run(int argc, char** argv) {
   mikromakro::add_average_command(program);
   mikromakro::add_info_command(program);
   mikromakro::add_fit_command(program);
+  mikromakro::add_convert_command(program);
+  mikromakro::add_draw_command(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
