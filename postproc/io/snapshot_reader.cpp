@@ -34,6 +34,16 @@ std::string contact_path(std::size_t slot) {
   return snapshot::contacts + std::string(contact_column_names[slot]);
 }
 
+// The columns that are read: nothing that can be left out. Without any wish (to copy frames) all of them.
+ColumnSet wanted_contact_columns(ColumnSet needed, ColumnSet given) {
+  constexpr ColumnSet geometry = column_set(ContactColumn::nx, ContactColumn::ny, ContactColumn::overlap);
+  constexpr ColumnSet positions = column_set(ContactColumn::x1, ContactColumn::y1, ContactColumn::x2,
+                                             ContactColumn::y2, ContactColumn::periodic);
+  if (needed == 0) return given;
+  const ColumnSet derive_from = (geometry & ~given) != 0 ? positions : 0;
+  return given & (needed | geometry | derive_from | column_set(ContactColumn::id1, ContactColumn::id2));
+}
+
 void check_finite(double number, const Place& place) {
   if (!std::isfinite(number))
     throw bad_input(place, "not a finite number", "a finite number", fmt::format("{}", number));
@@ -193,7 +203,7 @@ void SnapshotReader::read_contacts(RawFrame& frame) const {
   ContactRows& rows = frame.contacts;
   rows.file = place();
   rows.first_line = 1;
-  rows.given = open_->summary.contacts_given;
+  rows.given = wanted_contact_columns(wishes_.contacts_needed, open_->summary.contacts_given);
   rows.needed = wishes_.contacts_needed;
   ContactRow empty{};
   empty.value.fill(not_given);
