@@ -151,11 +151,13 @@ void SnapshotWriter::add_particles(const std::vector<Particle>& particles) {
     dataset.grow(shape);
     if (element.whole()) {
       std::vector<std::int64_t> numbers;
+      numbers.reserve(particles.size());
       for (const Particle& particle : particles)
         numbers.push_back(element.first == ParticleColumn::id ? particle.id : particle.type);
       dataset.write<std::int64_t>(block, numbers);
     } else {
       std::vector<double> numbers;
+      numbers.reserve(particles.size() * static_cast<std::size_t>(element.width));
       for (const Particle& particle : particles)
         for (int axis = 0; axis < element.width; ++axis)
           numbers.push_back(number_of(particle, element, axis));
@@ -172,6 +174,7 @@ void SnapshotWriter::add_contacts(const ContactRows& rows) {
     Hdf5Dataset& dataset = datasets_.at(snapshot::contacts + std::string(contact_column_names[slot]));
     dataset.grow({rows_ + rows.rows.size()});
     std::vector<double> numbers;
+    numbers.reserve(rows.rows.size());
     for (const ContactRow& row : rows.rows) numbers.push_back(row[column]);
     // HDF5 turns whole numbers into integers on the way.
     dataset.write<double>(block, numbers);

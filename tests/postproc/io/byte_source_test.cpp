@@ -45,8 +45,18 @@ TEST(Zstd, SeveralFramesInAFileAreReadOn) {
 TEST(Zstd, ACutFileIsAnError) {
   const Folder folder;
   const std::string whole = packed(many_lines());
-  EXPECT_THROW(all_lines(folder.write("cut.zst", whole.substr(0, whole.size() - 5))), Error);
-  EXPECT_THROW(all_lines(folder.write("junk.zst", whole.substr(0, 6) + "junk and more junk")), Error);
+  const auto message = [&](const std::string& content) -> std::string {
+    try {
+      all_lines(folder.write("cut.zst", content));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_NE(message(whole.substr(0, whole.size() - 5)).find("expected a complete zstd file"),
+            std::string::npos);
+  EXPECT_NE(message(whole.substr(0, 6) + "junk and more junk").find("expected a complete zstd file"),
+            std::string::npos);
 }
 
 }  // namespace
