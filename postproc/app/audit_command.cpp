@@ -73,7 +73,7 @@ Audit audit(const AuditOptions& options) {
   const auto whole = make_averager(one_ring(options.volumes), make_fields({"solid_fraction"}));
   FrameSource source = source_of(options.input, *rings);
   source.contacts_needed |= column_set(ContactColumn::overlap);
-  Progress progress(total_size(source.particle_files) + total_size(source.contact_files), options.quiet);
+  Progress progress(total_size(source.files()), options.quiet);
   FrameStream stream(source);
   TimeAverage of_rings(0);
   TimeAverage of_whole(0);
@@ -86,7 +86,7 @@ Audit audit(const AuditOptions& options) {
     progress.update(stream.bytes_read(), of_rings.frames());
   }
   if (of_rings.frames() == 0)
-    throw bad_input({source.particle_files.front()}, "no frame is selected",
+    throw bad_input({source.files().front()}, "no frame is selected",
                     "frames that --frames and --steps select", "0");
   Audit result;
   result.frames = of_rings.frames();

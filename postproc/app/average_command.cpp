@@ -6,13 +6,12 @@
 #include "app/commands.h"
 #include "app/input_options.h"
 #include "app/progress.h"
+#include "app/table_outputs.h"
 #include "app/volume_options.h"
 #include "averaging/block_errors.h"
 #include "averaging/time_average.h"
-#include "io/csv_writer.h"
 #include "io/error.h"
 #include "io/file_list.h"
-#include "io/output_file.h"
 
 namespace mikromakro {
 namespace {
@@ -45,39 +44,13 @@ void add_options(CLI::App& app, AverageOptions& options) {
   app.add_option("--error-blocks", options.error_blocks,
                  "blocks of frames that are kept for standard errors, default 64; 0 for no errors")
       ->check(CLI::Range(0, 100000));
-  app.add_option("--out", options.out,
-                 "FILE.csv, or - for standard output (default); may be given more than once")
+  app.add_option(
+         "--out", options.out,
+         "FILE.csv, .h5 or .vtkhdf (ParaView), or - for CSV on standard output (default); may be given "
+         "more than once")
       ->allow_extra_args(false);
   app.add_flag("--quiet", options.quiet, "no progress bar");
 }
-
-// Where the table goes to: every file is made at once, and filled when all frames are read.
-class Outputs {
- public:
-  explicit Outputs(const std::vector<std::string>& names) : to_stdout_(names.empty()) {
-    for (const std::string& name : names) {
-      if (name != "-" && !name.ends_with(".csv"))
-        throw bad_input({"--out"}, "unknown kind of output file", "a name ending in .csv, or -",
-                        in_quotes(name));
-    }
-    for (const std::string& name : names) {
-      if (name == "-") {
-        to_stdout_ = true;
-      } else {
-        files_.push_back(std::make_unique<OutputFile>(name));
-      }
-    }
-  }
-
-  void commit(const std::string& text) {
-    for (const auto& file : files_) file->commit(text);
-    if (to_stdout_) fmt::print("{}", text);
-  }
-
- private:
-  bool to_stdout_;
-  std::vector<std::unique_ptr<OutputFile>> files_;
-};
 
 FieldList fields_of(const AverageOptions& options) {
   std::vector<std::string> names = options.fields;
@@ -96,7 +69,7 @@ struct Averaged {
 };
 
 Averaged sum_frames(const FrameSource& source, const Averager& averager, const AverageOptions& options) {
-  Progress progress(total_size(source.particle_files) + total_size(source.contact_files), options.quiet);
+  Progress progress(total_size(source.files()), options.quiet);
   FrameStream stream(source);
   Averaged averaged{TimeAverage(options.error_blocks), {}};
   Frame frame;
@@ -107,7 +80,7 @@ Averaged sum_frames(const FrameSource& source, const Averager& averager, const A
     progress.update(stream.bytes_read(), averaged.sums.frames());
   }
   if (averaged.sums.frames() == 0)
-    throw bad_input({source.particle_files.front()}, "no frame is selected",
+    throw bad_input({source.files().front()}, "no frame is selected",
                     "frames that --frames and --steps select", "0");
   return averaged;
 }
@@ -140,14 +113,14 @@ void add_errors(const Averager& averager, const TimeAverage& sums, Table& table,
 void average(const AverageOptions& options) {
   const auto averager = make_averager(options.volumes, fields_of(options));
   const FrameSource source = source_of(options.input, *averager);
-  Outputs outputs(options.out);
+  TableOutputs outputs(options.out);
   const Averaged averaged = sum_frames(source, *averager, options);
   const Rows mean = averaged.sums.mean();
   Table table = averager->solve(mean);
   Preamble lines = preamble_of(options, source, averaged);
   for (const std::string& note : averager->notes(mean)) lines.emplace_back("note", note);
   if (options.error_blocks > 0) add_errors(*averager, averaged.sums, table, lines);
-  outputs.commit(csv_text(lines, table));
+  outputs.commit(lines, table, ring_centre(options.volumes));
 }
 
 }  // namespace

@@ -8,6 +8,8 @@ namespace mikromakro {
 
 void add_average_command(CLI::App& program);
 void add_info_command(CLI::App& program);
+void add_convert_command(CLI::App& program);
+void add_draw_command(CLI::App& program);
 void add_fit_command(CLI::App& program);
 void add_audit_command(CLI::App& program);
 

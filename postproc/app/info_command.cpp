@@ -14,6 +14,7 @@
 #include "io/json_object.h"
 #include "io/line_reader.h"
 #include "io/particle_reader.h"
+#include "io/snapshot_reader.h"
 
 namespace mikromakro {
 namespace {
@@ -47,6 +48,7 @@ void add_particles(const std::vector<Particle>& particles, DumpSummary& summary)
 
 DumpSummary summarise(const std::string& file, const std::vector<std::string>& particle_columns) {
   DumpReader dump(file);
+  ColumnSet given = 0;
   DumpSummary summary;
   while (dump.next_header(summary.last)) {
     const DumpHeader& header = summary.last;
@@ -54,9 +56,17 @@ DumpSummary summarise(const std::string& file, const std::vector<std::string>& p
     summary.of_particles = header.of_particles();
     summary.fewest_rows = std::min(summary.fewest_rows, header.rows);
     summary.most_rows = std::max(summary.most_rows, header.rows);
-    if (summary.of_particles) add_particles(read_particles(dump, header, particle_columns, 0), summary);
+    if (summary.of_particles)
+      add_particles(read_particles(dump, header, particle_columns, 0, given), summary);
   }
   return summary;
+}
+
+std::vector<std::string> names_of(ColumnSet given, const ColumnNames& names) {
+  std::vector<std::string> all;
+  for (std::size_t slot = 0; slot < names.known.size(); ++slot)
+    if ((given >> slot & 1U) != 0) all.emplace_back(names.known[slot]);
+  return all;
 }
 
 std::string periodic_text(const Box& box) {
@@ -112,6 +122,35 @@ void print_table(const CsvTable& table) {
              fmt::join(table.names(), " "));
 }
 
+void print_snapshots(const std::string& file, const SnapshotSummary& summary) {
+  fmt::print("{}: snapshots (HDF5)\n", file);
+  if (!summary.steps.empty())
+    fmt::print("  frames   {} (steps {} to {})\n", summary.steps.size(), summary.steps.front(),
+               summary.steps.back());
+  fmt::print("  discs    up to {} per frame\n  columns  {}\n", summary.most_particles,
+             fmt::join(names_of(summary.particles_given, particle_names()), " "));
+  if (summary.contact_offsets.empty()) return;
+  fmt::print("  contacts {} in all\n  columns  {}\n", summary.contact_offsets.back(),
+             fmt::join(names_of(summary.contacts_given, contact_names()), " "));
+}
+
+JsonObject snapshots_json(const std::string& file, const SnapshotSummary& summary) {
+  JsonObject json;
+  json.add("file", file);
+  json.add("kind", "snapshots");
+  json.add("frames", static_cast<std::int64_t>(summary.steps.size()));
+  if (!summary.steps.empty()) {
+    json.add("first_step", summary.steps.front());
+    json.add("last_step", summary.steps.back());
+  }
+  json.add("most_discs", static_cast<std::int64_t>(summary.most_particles));
+  json.add("columns", names_of(summary.particles_given, particle_names()));
+  if (summary.contact_offsets.empty()) return json;
+  json.add("contacts", summary.contact_offsets.back());
+  json.add("contact_columns", names_of(summary.contacts_given, contact_names()));
+  return json;
+}
+
 // Our tables begin with '#', dumps never do.
 bool is_table(const std::string& file) {
   LineReader lines(file);
@@ -122,7 +161,10 @@ bool is_table(const std::string& file) {
 void info(const InfoOptions& options) {
   std::vector<std::string> objects;
   for (const std::string& file : expand_files(options.files)) {
-    if (is_table(file)) {
+    if (Hdf5File::recognises(file)) {
+      const SnapshotSummary summary = summarise_snapshots(Hdf5File::open(file), file);
+      options.json ? objects.push_back(snapshots_json(file, summary).text()) : print_snapshots(file, summary);
+    } else if (is_table(file)) {
       const CsvTable table(file);
       options.json ? objects.push_back(table_json(table).text()) : print_table(table);
     } else {
@@ -138,7 +180,7 @@ void info(const InfoOptions& options) {
 void add_info_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("info", "what a file contains");
   auto options = std::make_shared<InfoOptions>();
-  app->add_option("files", options->files, "dumps or tables (names or patterns)")->required();
+  app->add_option("files", options->files, "dumps, snapshots or tables (names or patterns)")->required();
   app->add_option("--particle-columns", options->particle_columns, "names of all columns, - to skip one")
       ->delimiter(',');
   app->add_flag("--json", options->json, "print JSON: a list with one object per file");

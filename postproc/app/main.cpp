@@ -32,6 +32,8 @@ int run(int argc, char** argv) {
   mikromakro::add_info_command(program);
   mikromakro::add_fit_command(program);
   mikromakro::add_audit_command(program);
+  mikromakro::add_convert_command(program);
+  mikromakro::add_draw_command(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

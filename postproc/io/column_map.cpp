@@ -78,8 +78,8 @@ void require_columns(const ColumnMap& map, ColumnSet needed, const ColumnNames& 
     if ((needed & bit & ~map.given) != 0) missing.push_back(names.known[slot]);
   }
   if (missing.empty()) return;
-  throw bad_input(place, fmt::format("columns are missing (name them with {})", names.option),
-                  fmt::format("{}", fmt::join(missing, " ")),
+  const std::string way_out = names.option.empty() ? "" : fmt::format(" (name them with {})", names.option);
+  throw bad_input(place, "columns are missing" + way_out, fmt::format("{}", fmt::join(missing, " ")),
                   given.empty() ? "none that is known" : fmt::format("only {}", fmt::join(given, " ")));
 }
 

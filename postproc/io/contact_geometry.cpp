@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 
@@ -101,7 +103,27 @@ Eigen::Vector2d ordered_normal(const Contact& contact) {
   return contact.id1 < contact.id2 ? contact.normal : Eigen::Vector2d(-contact.normal);
 }
 
+// Whether a disc touches itself or a pair is there twice, in one pass over a table of hashes.
+bool all_pairs_differ(const std::vector<Contact>& contacts) {
+  const std::size_t places = std::bit_ceil(4 * contacts.size() + 1);
+  std::vector<int> table(places, -1);
+  for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
+    const auto pair = pair_of(contacts[static_cast<std::size_t>(i)]);
+    if (pair.first == pair.second) return false;
+    constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U;
+    std::uint64_t hash =
+        (static_cast<std::uint64_t>(pair.first) * odd + static_cast<std::uint64_t>(pair.second)) * odd;
+    hash ^= hash >> 32U;
+    std::size_t place = hash & (places - 1);
+    for (; table[place] >= 0; place = (place + 1) & (places - 1))
+      if (pair_of(contacts[static_cast<std::size_t>(table[place])]) == pair) return false;
+    table[place] = i;
+  }
+  return true;
+}
+
 void check_pairs(const std::vector<Contact>& contacts, const ContactRows& rows, const Box& box) {
+  if (all_pairs_differ(contacts)) return;
   const bool periodic = box.periodic[0] || box.periodic[1];
   std::vector<std::size_t> order(contacts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

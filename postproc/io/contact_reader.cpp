@@ -40,14 +40,16 @@ std::string with_hint(std::string_view what, bool guessed) {
                      guessed ? " (not the columns of compute contact/disc? give --contact-columns)" : "");
 }
 
-void check_row(const ContactRow& row, const ColumnMap& map, bool guessed, const Place& place) {
+}  // namespace
+
+void check_contact_row(const ContactRow& row, ColumnSet given, bool guessed, const Place& place) {
   for (const ContactColumn column : {ContactColumn::id1, ContactColumn::id2}) {
     const double id = row[column];
     if (!is_integer(id))
       throw bad_input(place, with_hint("an id is no whole number", guessed), "a whole number",
                       fmt::format("{}", id));
   }
-  if ((normal_columns & ~map.given) != 0) return;
+  if ((normal_columns & ~given) != 0) return;
   const double x = row[ContactColumn::nx];
   const double y = row[ContactColumn::ny];
   const double length = std::sqrt(x * x + y * y);
@@ -57,7 +59,9 @@ void check_row(const ContactRow& row, const ColumnMap& map, bool guessed, const 
   }
 }
 
-}  // namespace
+ColumnSet required_contact_columns(ColumnSet needed) {
+  return (needed & ~derivable_columns) | column_set(ContactColumn::id1, ContactColumn::id2);
+}
 
 ContactRows read_contacts(DumpReader& dump, const DumpHeader& header, const std::vector<std::string>& list,
                           ColumnSet needed) {
@@ -65,8 +69,7 @@ ContactRows read_contacts(DumpReader& dump, const DumpHeader& header, const std:
   if (header.of_particles())
     throw bad_input(place, "not a dump of contacts", "'ITEM: ENTRIES'", in_quotes("ITEM: " + header.label));
   const ColumnMap map = map_contacts(header, list, place);
-  require_columns(map, (needed & ~derivable_columns) | column_set(ContactColumn::id1, ContactColumn::id2),
-                  contact_names(), place);
+  require_columns(map, required_contact_columns(needed), contact_names(), place);
 
   ContactRows contacts;
   contacts.given = map.given;
@@ -80,7 +83,7 @@ ContactRows read_contacts(DumpReader& dump, const DumpHeader& header, const std:
   for (std::int64_t i = 0; i < header.rows; ++i) {
     const std::string_view line = dump.next_row();
     parse_row(line, map, row.value, dump.place());
-    check_row(row, map, guessed, dump.place());
+    check_contact_row(row, map.given, guessed, dump.place());
     contacts.rows.push_back(row);
   }
   dump.end_frame();

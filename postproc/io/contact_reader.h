@@ -29,10 +29,18 @@ struct ContactRows {
   Place place(std::size_t row) const { return {file, first_line + static_cast<std::int64_t>(row)}; }
 };
 
+/// Throws where an id is no whole number, or a normal is given that is no unit vector within 1e-5 (the
+/// engines' %g keeps 6 digits). `guessed`: the columns have no names and only look like ours, which the
+/// message then says.
+void check_contact_row(const ContactRow& row, ColumnSet given, bool guessed, const Place& place);
+
+/// The columns without which contacts cannot be joined: normal and overlap can be derived.
+ColumnSet required_contact_columns(ColumnSet needed);
+
 /// Reads the rows below `header`. `list` are the names of --contact-columns (empty: the header's own, or the
 /// 16 columns of `compute contact/disc` where the header says c_X[1] ... c_X[16]); `needed` must be among
-/// them, except for normal and overlap, which can be derived. Throws: missing columns, and where a normal is
-/// given that is no unit vector within 1e-5 (the engines' %g keeps 6 digits).
+/// them, except for normal and overlap, which can be derived. Throws: missing columns, and all that
+/// check_contact_row throws.
 ContactRows read_contacts(DumpReader& dump, const DumpHeader& header, const std::vector<std::string>& list,
                           ColumnSet needed);
 

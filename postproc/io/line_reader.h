@@ -1,4 +1,4 @@
-// Lines of a plain or gzip-compressed text file, read in blocks.
+// Lines of a text file, plain or compressed by gzip or zstd, read in blocks.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/byte_source.h"
 #include "io/error.h"
 
 namespace mikromakro {
@@ -26,16 +27,13 @@ class LineReader {
   Place place() const { return {file_, line_}; }
 
   /// Bytes of the (compressed) file that were read so far.
-  std::int64_t bytes_read() const;
+  std::int64_t bytes_read() const { return source_->bytes_read(); }
 
  private:
   bool refill();
 
-  struct Close {
-    void operator()(void* stream) const;
-  };
   std::string file_;
-  std::unique_ptr<void, Close> stream_;
+  std::unique_ptr<ByteSource> source_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0;
   std::size_t end_ = 0;

@@ -30,7 +30,14 @@ void OutputFile::commit(std::string_view content) {
   std::ofstream stream(temporary_, std::ios::binary);
   stream.write(content.data(), static_cast<std::streamsize>(content.size()));
   stream.close();
-  if (!stream || std::rename(temporary_.c_str(), file_.c_str()) != 0)
+  if (!stream)
+    throw run_failed(fmt::format("{}: cannot write the output", file_), "space on the disk",
+                     std::strerror(errno));
+  publish();
+}
+
+void OutputFile::publish() {
+  if (std::rename(temporary_.c_str(), file_.c_str()) != 0)
     throw run_failed(fmt::format("{}: cannot write the output", file_), "space on the disk",
                      std::strerror(errno));
 }

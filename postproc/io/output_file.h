@@ -17,6 +17,10 @@ class OutputFile {
 
   void commit(std::string_view content);
 
+  /// For libraries that write files themselves: they write to `temporary`, then `publish` renames it.
+  const std::string& temporary() const { return temporary_; }
+  void publish();
+
  private:
   std::string file_;
   std::string temporary_;

@@ -9,8 +9,6 @@
 namespace mikromakro {
 namespace {
 
-using Slots = std::array<double, static_cast<std::size_t>(ParticleColumn::count)>;
-
 // A count in a broken header must not make us ask for its memory at once.
 constexpr std::int64_t largest_reserve = 1 << 20;
 
@@ -27,9 +25,11 @@ std::int64_t counting(double value, std::string_view what, const Place& place) {
   return number;
 }
 
-Particle particle_of(const Slots& slots, const ColumnMap& map, const Place& place) {
+}  // namespace
+
+Particle particle_of(const ParticleSlots& slots, ColumnSet given_columns, const Place& place) {
   const auto at = [&](ParticleColumn column) { return slots[static_cast<std::size_t>(column)]; };
-  const auto given = [&](ParticleColumn column) { return (map.given & column_bit(column)) != 0; };
+  const auto given = [&](ParticleColumn column) { return (given_columns & column_bit(column)) != 0; };
   Particle particle;
   particle.id = counting(at(ParticleColumn::id), "id", place);
   if (given(ParticleColumn::type)) {
@@ -47,10 +47,9 @@ Particle particle_of(const Slots& slots, const ColumnMap& map, const Place& plac
   return particle;
 }
 
-}  // namespace
-
 std::vector<Particle> read_particles(DumpReader& dump, const DumpHeader& header,
-                                     const std::vector<std::string>& list, ColumnSet needed) {
+                                     const std::vector<std::string>& list, ColumnSet needed,
+                                     ColumnSet& given) {
   const Place place{dump.file(), header.line};
   if (!header.of_particles())
     throw bad_input(place, "not a dump of particles", "'ITEM: ATOMS'", in_quotes("ITEM: " + header.label));
@@ -60,12 +59,13 @@ std::vector<Particle> read_particles(DumpReader& dump, const DumpHeader& header,
 
   std::vector<Particle> particles;
   particles.reserve(static_cast<std::size_t>(std::min(header.rows, largest_reserve)));
-  Slots slots;
+  given = map.given;
+  ParticleSlots slots;
   slots.fill(not_given);
   for (std::int64_t row = 0; row < header.rows; ++row) {
     const std::string_view line = dump.next_row();
     parse_row(line, map, slots, dump.place());
-    particles.push_back(particle_of(slots, map, dump.place()));
+    particles.push_back(particle_of(slots, map.given, dump.place()));
   }
   dump.end_frame();
   return particles;

@@ -1,0 +1,54 @@
+#include <memory>
+
+#include "app/commands.h"
+#include "app/input_options.h"
+#include "app/progress.h"
+#include "io/error.h"
+#include "io/file_list.h"
+#include "io/output_file.h"
+#include "io/snapshot_writer.h"
+
+namespace mikromakro {
+namespace {
+
+struct ConvertOptions {
+  InputOptions input;
+  std::string out;
+  double time_step = 0;
+  bool quiet = false;
+};
+
+void convert(const ConvertOptions& options) {
+  if (!options.out.ends_with(".h5"))
+    throw bad_input({"--out"}, "unknown kind of output file", "a name ending in .h5", in_quotes(options.out));
+  const FrameSource source = frame_source(options.input);
+  OutputFile file(options.out);
+  Progress progress(total_size(source.files()), options.quiet);
+  SnapshotWriter writer(file.temporary(), "mikromakro " MIKROMAKRO_VERSION, options.time_step);
+  FrameStream stream(source);
+  Frame frame;
+  std::int64_t frames = 0;
+  while (stream.next(frame)) {
+    writer.add(stream.raw(), frame.particles);
+    progress.update(stream.bytes_read(), ++frames);
+  }
+  if (frames == 0)
+    throw bad_input({"--frames"}, "no frame is selected", "frames that --frames and --steps select", "0");
+  writer.close();
+  file.publish();
+}
+
+}  // namespace
+
+void add_convert_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("convert", "text dumps to HDF5 snapshots");
+  auto options = std::make_shared<ConvertOptions>();
+  add_input_options(*app, options->input);
+  app->add_option("--out", options->out, "FILE.h5")->required();
+  app->add_option("--timestep", options->time_step, "DT (s): times are written beside the steps")
+      ->check(CLI::PositiveNumber);
+  app->add_flag("--quiet", options->quiet, "no progress bar");
+  app->callback([options] { convert(*options); });
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,51 @@
+#include "app/table_outputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "averaging/volume_outlines.h"
+#include "io/error.h"
+#include "io/table_hdf5.h"
+#include "io/vtkhdf.h"
+
+namespace mikromakro {
+namespace {
+
+constexpr std::array<std::string_view, 3> endings = {".csv", ".h5", ".vtkhdf"};
+
+}  // namespace
+
+TableOutputs::TableOutputs(const std::vector<std::string>& names) : to_stdout_(names.empty()) {
+  for (const std::string& name : names) {
+    const bool known =
+        std::any_of(endings.begin(), endings.end(), [&](auto ending) { return name.ends_with(ending); });
+    if (name != "-" && !known)
+      throw bad_input({"--out"}, "unknown kind of output file", "a name ending in .csv, .h5 or .vtkhdf, or -",
+                      in_quotes(name));
+  }
+  for (const std::string& name : names) {
+    if (name == "-") {
+      to_stdout_ = true;
+    } else {
+      files_.push_back({name, std::make_unique<OutputFile>(name)});
+    }
+  }
+}
+
+void TableOutputs::commit(const Preamble& preamble, const Table& table, const Eigen::Vector2d& center) {
+  const std::string text = csv_text(preamble, table);
+  for (const auto& [name, file] : files_) {
+    if (name.ends_with(".csv")) {
+      file->commit(text);
+      continue;
+    }
+    if (name.ends_with(".h5")) write_table_hdf5(file->temporary(), preamble, table);
+    if (name.ends_with(".vtkhdf")) write_vtkhdf(file->temporary(), table, volume_outlines(table, center));
+    file->publish();
+  }
+  if (to_stdout_) fmt::print("{}", text);
+}
+
+}  // namespace mikromakro

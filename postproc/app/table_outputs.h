@@ -1,0 +1,32 @@
+// Where the tables of `average` go to.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/csv_writer.h"
+#include "io/output_file.h"
+
+namespace mikromakro {
+
+/// Files by their endings, made at once (so that a name that cannot be written is found before a long run)
+/// and filled when all frames are read. Throws on other endings.
+class TableOutputs {
+ public:
+  /// No names: CSV on standard output.
+  explicit TableOutputs(const std::vector<std::string>& names);
+
+  void commit(const Preamble& preamble, const Table& table, const Eigen::Vector2d& center);
+
+ private:
+  struct File {
+    std::string name;
+    std::unique_ptr<OutputFile> file;
+  };
+  bool to_stdout_;
+  std::vector<File> files_;
+};
+
+}  // namespace mikromakro

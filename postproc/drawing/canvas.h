@@ -1,0 +1,52 @@
+// A sheet to draw on, which becomes a PNG or SVG file.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "drawing/colour.h"
+
+namespace mikromakro {
+
+/// A point in pixels from the upper left corner.
+using Pixel = Eigen::Vector2d;
+
+/// Where a text has the point that it is written at: 0 left (top), 0.5 middle, 1 right (bottom).
+struct Anchor {
+  double x = 0;
+  double y = 0.5;
+};
+
+/// Cairo, with one call for each thing that pictures need. All lengths are in pixels.
+class Canvas {
+ public:
+  enum class Kind { png, svg };
+
+  /// A white sheet. Throws when there is no memory for it.
+  Canvas(Kind kind, int width, int height);
+  ~Canvas();
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  void disc(const Pixel& centre, double radius, const Colour& fill, const Colour& outline, double line_width);
+  void line(const Pixel& from, const Pixel& to, double width, const Colour& colour);
+  void polygon(std::span<const Pixel> corners, const Colour& fill);
+  void frame(const Pixel& corner, const Pixel& opposite, double width, const Colour& colour);
+  /// `upwards`: turned by 90 degrees, read from below to above.
+  void text(const Pixel& at, const std::string& words, double size, Anchor anchor, bool upwards = false);
+
+  /// Until `show_all`, nothing is drawn outside of the rectangle.
+  void show_only(const Pixel& corner, const Pixel& opposite);
+  void show_all();
+
+  /// The content of the file; nothing can be drawn afterwards. Throws (failed run) when Cairo cannot make it.
+  std::string encoded();
+
+ private:
+  struct Cairo;
+  std::unique_ptr<Cairo> cairo_;
+};
+
+}  // namespace mikromakro

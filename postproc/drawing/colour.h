@@ -1,0 +1,22 @@
+// Colours, and the map from numbers to colours.
+#pragma once
+
+namespace mikromakro {
+
+/// Red, green, blue and opacity, each 0 to 1.
+struct Colour {
+  double red = 0;
+  double green = 0;
+  double blue = 0;
+  double alpha = 1;
+};
+
+/// The viridis map (van der Walt and Smith, matplotlib, CC0) at x, 0 to 1; values outside are those of the
+/// ends. Equal steps of x look equally far apart, also to colour-blind eyes, and lightness only grows: a
+/// print in grey can be read.
+Colour viridis(double x);
+
+/// CIE lightness L*, 0 (black) to 100 (white), of an opaque sRGB colour.
+double lightness(const Colour& colour);
+
+}  // namespace mikromakro

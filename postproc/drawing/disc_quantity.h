@@ -1,0 +1,34 @@
+// What discs can be coloured by.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/column_map.h"
+#include "io/frame.h"
+
+namespace mikromakro {
+
+enum class DiscQuantity { radius, velocity, spin, pressure, contacts, type };
+
+/// A quantity with what a colour bar says about it, and what the dumps must give.
+struct QuantityInfo {
+  DiscQuantity quantity;
+  std::string_view name;   ///< on the command line
+  std::string_view label;  ///< beside the colour bar
+  std::string_view unit;   ///< SI, empty for a number
+  ColumnSet particles_needed;
+  ColumnSet contacts_needed;
+};
+
+/// Throws on an unknown name.
+const QuantityInfo& disc_quantity(const std::string& name);
+/// All names, for the help.
+std::vector<std::string_view> disc_quantity_names();
+
+/// The quantity of each disc, in the order of the frame. SI units.
+/// pressure: p = -tr(sigma^p)/2 with sigma^p = 1/V^p sum_c l^pc f^pc (seed Eq. 15), l = a_p n, V^p = pi a^2
+/// h; > 0 when pressed.
+std::vector<double> disc_values(const Frame& frame, DiscQuantity quantity, double height);
+
+}  // namespace mikromakro

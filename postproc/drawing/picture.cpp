@@ -1,0 +1,197 @@
+#include "drawing/picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "drawing/colour_bar.h"
+#include "drawing/scale_numbers.h"
+#include "io/error.h"
+
+namespace mikromakro {
+namespace {
+
+constexpr Colour ink{0.1, 0.1, 0.1, 1};
+constexpr Colour wall_grey{0.62, 0.62, 0.62, 1};
+constexpr Colour plain_grey{0.9, 0.9, 0.9, 1};
+constexpr Colour outline{0, 0, 0, 0.4};
+constexpr Colour network_grey{0.15, 0.15, 0.15, 0.9};
+constexpr Colour compression{0.05, 0.05, 0.05, 1};
+constexpr Colour tension{0.84, 0.1, 0.11, 1};
+constexpr Colour halo{1, 1, 1, 0.75};
+
+// A chain of the mean force is this part of the mean radius wide.
+constexpr double chain_width = 0.2;
+constexpr double largest_height = 30000;
+
+class Painter {
+ public:
+  Painter(const Frame& frame, const PictureStyle& style, const PictureScales& scales, Canvas::Kind kind)
+      : frame_(frame), style_(style), scales_(scales), letter_(style.width / 62.0) {
+    const Box window = scales.window.value_or(Box{{0, 0}, {1, 1}, {}});
+    const double margin = letter_;
+    const double column = style.quantity != nullptr ? 7.5 * letter_ : 0.0;
+    corner_ = {margin, margin};
+    scale_ = (style.width - 2 * margin - column) / window.length().x();
+    opposite_ = corner_ + scale_ * window.length();
+    origin_ = {corner_.x() - scale_ * window.low.x(), opposite_.y() + scale_ * window.low.y()};
+    const double height = opposite_.y() + 3 * letter_;
+    if (!(height < largest_height))
+      throw bad_input({"--box"}, "the picture is too high", "at most 30000 pixels",
+                      fmt::format("{:.0f}", height));
+    canvas_ = std::make_unique<Canvas>(kind, style.width, static_cast<int>(std::lround(height)));
+  }
+
+  std::string paint() {
+    canvas_->show_only(corner_, opposite_);
+    discs();
+    if (style_.network) network();
+    if (style_.chains) chains();
+    canvas_->show_all();
+    if (style_.border) canvas_->frame(corner_, opposite_, 0.06 * letter_, ink);
+    scale_bar();
+    if (style_.chains && scales_.mean_force > 0) chain_key();
+    stamp();
+    if (style_.quantity != nullptr) {
+      draw_colour_bar(*canvas_, *style_.quantity, scales_, {opposite_.x() + 1.2 * letter_, corner_.y()},
+                      opposite_, letter_);
+    }
+    return canvas_->encoded();
+  }
+
+ private:
+  Pixel at(const Eigen::Vector2d& point) const {
+    return {origin_.x() + scale_ * point.x(), origin_.y() - scale_ * point.y()};
+  }
+
+  double mean_radius() const {
+    double sum = 0;
+    for (const Particle& particle : frame_.particles) sum += particle.radius;
+    return scale_ * sum / static_cast<double>(std::max<std::size_t>(frame_.particles.size(), 1));
+  }
+
+  void discs() {
+    const ColourScale colours(scales_.colours);
+    const std::vector<double> values = style_.quantity != nullptr
+                                           ? disc_values(frame_, style_.quantity->quantity, style_.height)
+                                           : std::vector<double>(frame_.particles.size());
+    const double line_width = std::max(0.05 * mean_radius(), 0.25);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Particle& particle = frame_.particles[i];
+      const Colour fill = !is_bulk(particle, style_)   ? wall_grey
+                          : style_.quantity == nullptr ? plain_grey
+                                                       : colours(values[i]);
+      canvas_->disc(at(particle.position), scale_ * particle.radius, fill, outline, line_width);
+    }
+  }
+
+  // From centre to centre, or to the wall; through a periodic boundary a line on each side.
+  void contact_line(const Contact& contact, double width, const Colour& colour) {
+    const Particle& first = frame_.particles[static_cast<std::size_t>(contact.index1)];
+    const double reach = first.radius - (std::isnan(contact.overlap) ? 0 : contact.overlap);
+    if (contact.with_wall()) {
+      canvas_->line(at(first.position), at(first.position + reach * contact.normal), width, colour);
+      return;
+    }
+    const Particle& second = frame_.particles[static_cast<std::size_t>(contact.index2)];
+    const Eigen::Vector2d branch = (reach + second.radius) * contact.normal;
+    const bool across = (first.position + branch - second.position).norm() > 0.5 * branch.norm();
+    const Eigen::Vector2d end = across ? Eigen::Vector2d(first.position + branch) : second.position;
+    canvas_->line(at(first.position), at(end), width, colour);
+    if (across) canvas_->line(at(second.position), at(second.position - branch), width, colour);
+  }
+
+  void network() {
+    const double width = std::max(0.09 * mean_radius(), 0.5);
+    for (const Contact& contact : frame_.contacts) contact_line(contact, width, network_grey);
+  }
+
+  double width_of(double force) const { return chain_width * mean_radius() * force / scales_.mean_force; }
+
+  // The strongest on top, each with a light edge, so that chains stand out from discs of any colour.
+  void chains() {
+    if (scales_.mean_force == 0) return;
+    const auto force = [this](std::size_t i) {
+      return -frame_.contacts[i].force.dot(frame_.contacts[i].normal);
+    };
+    std::vector<std::size_t> order(frame_.contacts.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return std::abs(force(a)) < std::abs(force(b)); });
+    const double edge = style_.quantity != nullptr ? 0.08 * mean_radius() : 0.0;
+    // All edges first, so that none cuts through a chain where its contacts join.
+    for (const std::size_t i : order) {
+      const double width = width_of(std::abs(force(i)));
+      if (edge > 0 && width > 0) contact_line(frame_.contacts[i], width + 2 * std::min(edge, width), halo);
+    }
+    for (const std::size_t i : order) {
+      const double width = width_of(std::abs(force(i)));
+      if (width > 0) contact_line(frame_.contacts[i], width, force(i) > 0 ? compression : tension);
+    }
+  }
+
+  double foot() const { return opposite_.y() + 1.6 * letter_; }
+
+  void scale_bar() {
+    const double width = opposite_.x() - corner_.x();
+    const double length = round_below(0.2 * width / scale_);
+    const ScaledUnit unit = scaled_unit(length, "m");
+    const Pixel from{corner_.x(), foot()};
+    const Pixel to = from + Pixel(scale_ * length, 0);
+    const double half = 0.14 * letter_;
+    const std::array<Pixel, 4> bar = {{{from.x(), from.y() - half},
+                                       {to.x(), from.y() - half},
+                                       {to.x(), from.y() + half},
+                                       {from.x(), from.y() + half}}};
+    canvas_->polygon(bar, ink);
+    canvas_->text(to + Pixel(0.5 * letter_, 0), label_text(length / unit.factor) + " " + unit.unit, letter_,
+                  {0, 0.5});
+  }
+
+  // A line of a round force beside its number, once for each sign that there is.
+  void chain_key() {
+    const double force = round_below(2 * scales_.mean_force);
+    const ScaledUnit unit = scaled_unit(force, "N");
+    const std::string size = label_text(force / unit.factor) + " " + unit.unit;
+    const bool pulls =
+        std::any_of(frame_.contacts.begin(), frame_.contacts.end(),
+                    [](const Contact& contact) { return contact.force.dot(contact.normal) > 0; });
+    double x = corner_.x() + 0.36 * (opposite_.x() - corner_.x());
+    const auto entry = [&](const Colour& colour, const std::string& words) {
+      const Pixel from{x, foot()};
+      canvas_->line(from, from + Pixel(1.6 * letter_, 0), width_of(force), colour);
+      canvas_->text(from + Pixel(2.4 * letter_, 0), words, letter_, {0, 0.5});
+      x += (4 + 0.55 * static_cast<double>(words.size())) * letter_;
+    };
+    entry(compression, size + " compression");
+    if (pulls) entry(tension, "tension");
+  }
+
+  void stamp() {
+    const std::string words =
+        style_.time_step > 0
+            ? fmt::format("t = {:.6g} s", style_.time_step * static_cast<double>(frame_.step))
+            : fmt::format("step {}", frame_.step);
+    canvas_->text({opposite_.x(), foot()}, words, letter_, {1, 0.5});
+  }
+
+  const Frame& frame_;
+  const PictureStyle& style_;
+  const PictureScales& scales_;
+  double letter_;
+  Pixel corner_, opposite_, origin_;
+  double scale_ = 1;
+  std::unique_ptr<Canvas> canvas_;
+};
+
+}  // namespace
+
+std::string draw_picture(const Frame& frame, const PictureStyle& style, const PictureScales& scales,
+                         Canvas::Kind kind) {
+  return Painter(frame, style, scales, kind).paint();
+}
+
+}  // namespace mikromakro

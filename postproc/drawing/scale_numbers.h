@@ -1,0 +1,26 @@
+// Round numbers and units for scales that people read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace mikromakro {
+
+/// The largest of 1, 2, 5 times a power of ten that is not above x > 0.
+double round_below(double x);
+
+/// Round numbers within low..high, about `count` of them, equally spaced.
+std::vector<double> ticks(double low, double high, int count);
+
+/// A unit with the SI prefix that brings `size` to 1...1000: numbers are to be divided by `factor`.
+struct ScaledUnit {
+  double factor = 1;
+  std::string unit;
+};
+/// No prefix for 0, for numbers beyond the prefixes, and where `unit` is empty.
+ScaledUnit scaled_unit(double size, const std::string& unit);
+
+/// A number for a label: as few digits as it needs, at most six.
+std::string label_text(double value);
+
+}  // namespace mikromakro

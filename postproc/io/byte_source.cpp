@@ -1,0 +1,111 @@
+#include "io/byte_source.h"
+
+#include <zlib.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <vector>
+
+namespace mikromakro {
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
+
+OpenFile open_file(const std::string& file) {
+  OpenFile opened(std::fopen(file.c_str(), "rb"));
+  if (!opened) throw bad_input({file}, "cannot open the file", "a readable file", std::strerror(errno));
+  return opened;
+}
+
+// zlib hands plain bytes through.
+class GzipSource : public ByteSource {
+ public:
+  explicit GzipSource(const std::string& file) : stream_(gzopen(file.c_str(), "rb")) {
+    if (!stream_) throw bad_input({file}, "cannot open the file", "a readable file", std::strerror(errno));
+    gzbuffer(stream_.get(), 1U << 18U);
+  }
+
+  std::size_t read(std::span<char> room, const Place& place) override {
+    const int got = gzread(stream_.get(), room.data(), static_cast<unsigned>(room.size()));
+    int code = Z_OK;
+    const char* reason = gzerror(stream_.get(), &code);
+    if (got < 0 || (code != Z_OK && code != Z_STREAM_END)) {
+      throw bad_input(place, "cannot read on", "plain text or a complete gzip file",
+                      code == Z_ERRNO ? std::strerror(errno) : reason);
+    }
+    return static_cast<std::size_t>(got);
+  }
+
+  std::int64_t bytes_read() const override { return gzoffset(stream_.get()); }
+
+ private:
+  struct Close {
+    void operator()(gzFile stream) const { gzclose(stream); }
+  };
+  std::unique_ptr<gzFile_s, Close> stream_;
+};
+
+class ZstdSource : public ByteSource {
+ public:
+  explicit ZstdSource(OpenFile file)
+      : file_(std::move(file)), stream_(ZSTD_createDStream()), packed_(ZSTD_DStreamInSize()) {}
+
+  std::size_t read(std::span<char> room, const Place& place) override {
+    ZSTD_outBuffer out{room.data(), room.size(), 0};
+    while (out.pos == 0) {
+      if (in_.pos == in_.size && !refill()) {
+        // A frame that wants more bytes was cut.
+        if (wanted_ != 0) complain(place, "the file ends within the compressed data");
+        return 0;
+      }
+      wanted_ = ZSTD_decompressStream(stream_.get(), &out, &in_);
+      if (ZSTD_isError(wanted_) != 0) complain(place, ZSTD_getErrorName(wanted_));
+    }
+    return out.pos;
+  }
+
+  std::int64_t bytes_read() const override { return bytes_; }
+
+ private:
+  bool refill() {
+    const std::size_t got = std::fread(packed_.data(), 1, packed_.size(), file_.get());
+    bytes_ += static_cast<std::int64_t>(got);
+    in_ = {packed_.data(), got, 0};
+    return got > 0;
+  }
+
+  [[noreturn]] static void complain(const Place& place, const char* reason) {
+    throw bad_input(place, "cannot read on", "a complete zstd file", reason);
+  }
+
+  struct Free {
+    void operator()(ZSTD_DStream* stream) const { ZSTD_freeDStream(stream); }
+  };
+  OpenFile file_;
+  std::unique_ptr<ZSTD_DStream, Free> stream_;
+  std::vector<char> packed_;
+  ZSTD_inBuffer in_{nullptr, 0, 0};
+  std::size_t wanted_ = 0;
+  std::int64_t bytes_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<ByteSource> open_bytes(const std::string& file) {
+  constexpr std::array<unsigned char, 4> zstd_mark = {0x28, 0xb5, 0x2f, 0xfd};
+  OpenFile opened = open_file(file);
+  std::array<unsigned char, 4> begin = {};
+  const std::size_t got = std::fread(begin.data(), 1, begin.size(), opened.get());
+  if (got < begin.size() || begin != zstd_mark) return std::make_unique<GzipSource>(file);
+  std::rewind(opened.get());
+  return std::make_unique<ZstdSource>(std::move(opened));
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,43 @@
+// What every kind of input gives: frames one after the other, as their rows stand in the file.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/column_map.h"
+#include "io/contact_reader.h"
+#include "io/frame.h"
+
+namespace mikromakro {
+
+/// A frame before its contacts are joined to its particles. For messages: particle i stands in line
+/// first_particle_line + i of particle_file.
+struct RawFrame {
+  std::int64_t step = 0;
+  Box box;
+  std::vector<Particle> particles;
+  ColumnSet particles_given = 0;
+  std::string particle_file;
+  std::int64_t first_particle_line = 0;
+  bool with_contacts = false;
+  ContactRows contacts;
+};
+
+/// One of the formats: text dumps, HDF5 snapshots, MercuryDPM files.
+class FrameFormat {
+ public:
+  FrameFormat() = default;
+  FrameFormat(const FrameFormat&) = delete;
+  FrameFormat& operator=(const FrameFormat&) = delete;
+  virtual ~FrameFormat() = default;
+
+  /// Goes to the next frame; false at the end.
+  virtual bool next(std::int64_t& step) = 0;
+  /// Reads the frame that `next` has found; may be left out to skip it.
+  virtual void read(RawFrame& frame) = 0;
+  /// For the progress bar.
+  virtual std::int64_t bytes_read() const = 0;
+};
+
+}  // namespace mikromakro

@@ -1,0 +1,239 @@
+#include "io/hdf5_file.h"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include <array>
+#include <numeric>
+#include <type_traits>
+
+#include "io/error.h"
+
+namespace mikromakro {
+namespace {
+
+static_assert(std::is_same_v<Hdf5Shape::value_type, hsize_t>);
+
+// The innermost reason that HDF5 has for its last failure.
+std::string last_reason() {
+  std::string reason = "an error";
+  H5Ewalk2(
+      H5E_DEFAULT, H5E_WALK_UPWARD,
+      [](unsigned, const H5E_error2_t* error, void* text) {
+        if (error->desc != nullptr) *static_cast<std::string*>(text) = error->desc;
+        return herr_t{1};
+      },
+      &reason);
+  return in_quotes(reason);
+}
+
+[[noreturn]] void cannot_read(const std::string& place) {
+  throw bad_input({place}, "cannot read from the file", "a complete HDF5 file of mikromakro", last_reason());
+}
+
+[[noreturn]] void cannot_write(const std::string& place) {
+  throw run_failed(fmt::format("{}: cannot write the output", place), "space on the disk", last_reason());
+}
+
+void silence() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+hid_t in_memory(Hdf5Type type) {
+  if (type == Hdf5Type::integer) return H5T_NATIVE_INT64;
+  return type == Hdf5Type::byte ? H5T_NATIVE_UINT8 : H5T_NATIVE_DOUBLE;
+}
+
+hid_t in_file(Hdf5Type type) {
+  if (type == Hdf5Type::integer) return H5T_STD_I64LE;
+  return type == Hdf5Type::byte ? H5T_STD_U8LE : H5T_IEEE_F64LE;
+}
+
+Hdf5Id space_of(const Hdf5Shape& shape) {
+  return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose};
+}
+
+Hdf5Id text_type(std::size_t length, H5T_cset_t letters) {
+  Hdf5Id type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.get(), length);
+  H5Tset_cset(type.get(), letters);
+  H5Tset_strpad(type.get(), length == H5T_VARIABLE ? H5T_STR_NULLTERM : H5T_STR_NULLPAD);
+  return type;
+}
+
+Hdf5Id with_groups() {
+  Hdf5Id list(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(list.get(), 1);
+  return list;
+}
+
+}  // namespace
+
+Hdf5Shape Hdf5Dataset::shape() const {
+  const Hdf5Id space(H5Dget_space(id_.get()), H5Sclose);
+  std::array<hsize_t, H5S_MAX_RANK> lengths = {};
+  const int rank = H5Sget_simple_extent_dims(space.get(), lengths.data(), nullptr);
+  if (rank < 0) cannot_read(place_);
+  return {lengths.begin(), lengths.begin() + rank};
+}
+
+void Hdf5Dataset::grow(const Hdf5Shape& shape) {
+  if (H5Dset_extent(id_.get(), shape.data()) < 0) cannot_write(place_);
+}
+
+Hdf5Id Hdf5Dataset::select(const Hdf5Block& block, Hdf5Id& in_memory) const {
+  Hdf5Id space(H5Dget_space(id_.get()), H5Sclose);
+  if (H5Sget_simple_extent_ndims(space.get()) != static_cast<int>(block.count.size())) return {};
+  if (H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, block.begin.data(), nullptr, block.count.data(),
+                          nullptr) < 0)
+    return {};
+  in_memory = space_of(block.count);
+  return space;
+}
+
+void Hdf5Dataset::read_raw(const Hdf5Block& block, Hdf5Type type, void* numbers, std::size_t size) const {
+  const std::uint64_t wanted =
+      std::accumulate(block.count.begin(), block.count.end(), std::uint64_t{1}, std::multiplies<>());
+  if (wanted == 0) return;
+  Hdf5Id memory;
+  const Hdf5Id space = select(block, memory);
+  if (space.get() < 0 || wanted != size ||
+      H5Dread(id_.get(), in_memory(type), memory.get(), space.get(), H5P_DEFAULT, numbers) < 0)
+    cannot_read(place_);
+}
+
+void Hdf5Dataset::write_raw(const Hdf5Block& block, Hdf5Type type, const void* numbers) {
+  Hdf5Id memory;
+  const Hdf5Id space = select(block, memory);
+  if (space.get() < 0 ||
+      H5Dwrite(id_.get(), in_memory(type), memory.get(), space.get(), H5P_DEFAULT, numbers) < 0)
+    cannot_write(place_);
+}
+
+Hdf5File Hdf5File::create(const std::string& file) {
+  silence();
+  // The newer layout of 1.10: its tables of contents carry sums, so that damage in them is found.
+  const Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
+  Hdf5Id id(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
+  if (id.get() < 0) cannot_write(file);
+  return {std::move(id), file};
+}
+
+Hdf5File Hdf5File::open(const std::string& file) {
+  silence();
+  Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (id.get() < 0) cannot_read(file);
+  return {std::move(id), file};
+}
+
+bool Hdf5File::has(const std::string& path) const {
+  for (std::size_t slash = path.find('/', 1);; slash = path.find('/', slash + 1)) {
+    if (H5Lexists(id_.get(), path.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
+    if (slash == std::string::npos) return true;
+  }
+}
+
+Hdf5Dataset Hdf5File::add_growing(const std::string& path, Hdf5Type type, const Hdf5Shape& chunk,
+                                  std::int64_t fill) {
+  const std::vector<hsize_t> none(chunk.size(), 0);
+  const std::vector<hsize_t> any(chunk.size(), H5S_UNLIMITED);
+  const int rank = static_cast<int>(chunk.size());
+  const Hdf5Id space(H5Screate_simple(rank, none.data(), any.data()), H5Sclose);
+  const Hdf5Id list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_chunk(list.get(), rank, chunk.data());
+  H5Pset_fletcher32(list.get());
+  if (type == Hdf5Type::integer) H5Pset_fill_value(list.get(), H5T_NATIVE_INT64, &fill);
+  Hdf5Id id(H5Dcreate2(id_.get(), path.c_str(), in_file(type), space.get(), with_groups().get(), list.get(),
+                       H5P_DEFAULT),
+            H5Dclose);
+  if (id.get() < 0) cannot_write(file_);
+  return {std::move(id), fmt::format("{}:{}", file_, path)};
+}
+
+Hdf5Dataset Hdf5File::add_fixed(const std::string& path, Hdf5Type type, const Hdf5Shape& shape) {
+  const Hdf5Id space = space_of(shape);
+  Hdf5Id id(H5Dcreate2(id_.get(), path.c_str(), in_file(type), space.get(), with_groups().get(), H5P_DEFAULT,
+                       H5P_DEFAULT),
+            H5Dclose);
+  if (id.get() < 0) cannot_write(file_);
+  return {std::move(id), fmt::format("{}:{}", file_, path)};
+}
+
+Hdf5Dataset Hdf5File::dataset(const std::string& path) const {
+  Hdf5Id id(H5Dopen2(id_.get(), path.c_str(), H5P_DEFAULT), H5Dclose);
+  if (id.get() < 0) cannot_read(fmt::format("{}:{}", file_, path));
+  return {std::move(id), fmt::format("{}:{}", file_, path)};
+}
+
+void Hdf5File::add_group(const std::string& path) {
+  const Hdf5Id id(H5Gcreate2(id_.get(), path.c_str(), with_groups().get(), H5P_DEFAULT, H5P_DEFAULT),
+                  H5Gclose);
+  if (id.get() < 0) cannot_write(file_);
+}
+
+void Hdf5File::link(const std::string& existing, const std::string& path) {
+  if (H5Lcreate_hard(id_.get(), existing.c_str(), id_.get(), path.c_str(), with_groups().get(), H5P_DEFAULT) <
+      0)
+    cannot_write(file_);
+}
+
+void Hdf5File::add_attribute(const std::string& path, const std::string& name, const Hdf5Id& space,
+                             std::int64_t type, const void* value) {
+  const Hdf5Id id(H5Acreate_by_name(id_.get(), path.c_str(), name.c_str(), type, space.get(), H5P_DEFAULT,
+                                    H5P_DEFAULT, H5P_DEFAULT),
+                  H5Aclose);
+  if (id.get() < 0 || (value != nullptr && H5Awrite(id.get(), type, value) < 0)) cannot_write(file_);
+}
+
+void Hdf5File::attribute(const std::string& path, const std::string& name, const std::string& value) {
+  const char* const text = value.c_str();
+  const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose);
+  add_attribute(path, name, space, text_type(H5T_VARIABLE, H5T_CSET_UTF8).get(), &text);
+}
+
+void Hdf5File::attribute(const std::string& path, const std::string& name,
+                         const std::vector<std::string>& values) {
+  std::vector<const char*> texts;
+  texts.reserve(values.size());
+  for (const std::string& value : values) texts.push_back(value.c_str());
+  add_attribute(path, name, space_of({values.size()}), text_type(H5T_VARIABLE, H5T_CSET_UTF8).get(),
+                texts.data());
+}
+
+void Hdf5File::attribute(const std::string& path, const std::string& name,
+                         std::span<const std::int64_t> numbers) {
+  add_attribute(path, name, space_of({numbers.size()}), H5T_NATIVE_INT64, numbers.data());
+}
+
+void Hdf5File::short_attribute(const std::string& path, const std::string& name, const std::string& value) {
+  const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose);
+  add_attribute(path, name, space, text_type(value.size(), H5T_CSET_ASCII).get(), value.data());
+}
+
+std::vector<std::string> Hdf5File::text_attribute(const std::string& path, const std::string& name) const {
+  const Hdf5Id id(H5Aopen_by_name(id_.get(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  const Hdf5Id space(H5Aget_space(id.get()), H5Sclose);
+  const auto count = H5Sget_simple_extent_npoints(space.get());
+  if (count < 0) cannot_read(fmt::format("{}:{}@{}", file_, path, name));
+  std::vector<char*> texts(static_cast<std::size_t>(count), nullptr);
+  const Hdf5Id type = text_type(H5T_VARIABLE, H5T_CSET_UTF8);
+  if (H5Aread(id.get(), type.get(), texts.data()) < 0)
+    cannot_read(fmt::format("{}:{}@{}", file_, path, name));
+  std::vector<std::string> values;
+  for (const char* text : texts) values.emplace_back(text != nullptr ? text : "");
+  H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, texts.data());
+  return values;
+}
+
+void Hdf5File::close() {
+  if (H5Fflush(id_.get(), H5F_SCOPE_GLOBAL) < 0) cannot_write(file_);
+  id_ = Hdf5Id();
+}
+
+bool Hdf5File::recognises(const std::string& file) {
+  silence();
+  return H5Fis_hdf5(file.c_str()) > 0;
+}
+
+}  // namespace mikromakro
