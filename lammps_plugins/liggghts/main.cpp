@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <string_view>
 
@@ -33,9 +34,17 @@ bool wants_help(int argc, char** argv) {
   return false;
 }
 
+/// The engine exits with 1 after its help.
+void end_of_help() {
+  std::fflush(nullptr);
+  std::_Exit(0);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Line by line also into a pipe: an error of one rank ends the others, and what they hold back is lost.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   install_signal_handlers();
   MPI_Init(&argc, &argv);
   int rank = 0;
@@ -44,8 +53,8 @@ int main(int argc, char** argv) {
     std::printf("%s\n", mikromakro::liggghts::version_line());
     // The engine prints its own help and ends inside its constructor, so ours comes first.
     if (wants_help(argc, argv)) std::printf("%s", mikromakro::liggghts::style_list().c_str());
-    std::fflush(stdout);
   }
+  if (wants_help(argc, argv)) std::atexit(end_of_help);
   {
     const auto engine = std::make_unique<LAMMPS_NS::LAMMPS>(argc, argv, MPI_COMM_WORLD);
     mikromakro::liggghts::register_styles(*engine);

@@ -128,19 +128,19 @@ void PairGranDisc::write_restart_settings(FILE* file) {
 }
 
 void PairGranDisc::read_restart_settings(FILE* file, int64_t /*hash*/) {
-  int flags[2] = {0, 0};
+  int settings[3] = {0, 0, 0};  // the flags; whether they were there
   if (comm->me == 0) {
     int64_t written = -1;
-    if (std::fread(&written, sizeof written, 1, file) != 1 || std::fread(flags, sizeof flags, 1, file) != 1) {
-      error->one(
-          FLERR,
-          "pair_style gran model disc/linear: the restart file ends inside the settings of the pair style");
-    }
-    if (written != hash_)
-      error->one(FLERR, "pair_style gran model disc/linear: the restart file holds another law");
+    settings[2] = std::fread(&written, sizeof written, 1, file) == 1 && written == hash_ &&
+                  std::fread(settings, sizeof(int), 2, file) == 2;
   }
-  MPI_Bcast(flags, 2, MPI_INT, 0, world);
-  effects_ = {static_cast<Tangential>(flags[0]), flags[1] != 0};
+  MPI_Bcast(settings, 3, MPI_INT, 0, world);
+  if (!settings[2]) {
+    error->all(
+        FLERR,
+        "pair_style gran model disc/linear: the restart file ends inside the settings of the pair style");
+  }
+  effects_ = {static_cast<Tangential>(settings[0]), settings[1] != 0};
   choose_loops();
 }
 

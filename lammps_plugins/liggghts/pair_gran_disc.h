@@ -4,11 +4,14 @@
 // torques; the arithmetic of the law is not here.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "granular_pair_style.h"
+#include "physics/contact_batch.h"
 #include "physics/contact_law.h"
 #include "pointers.h"
 
@@ -28,26 +31,24 @@ struct AppliedContact {
 };
 
 /// What the pair loop reads of a disc, and what it adds up for it.
-struct Place {
+struct alignas(32) Place {
   double x, y, radius;
   int type;  // from 0
 };
-struct Motion {
+struct alignas(32) Motion {
   double v_x, v_y, omega;
 };
-struct Load {
+struct alignas(32) Load {
   double f_x, f_y, torque;
 };
 
-enum class Touch : int { no, first, yes };
-
-/// A pair of the engine's neighbour list; flag and history are the engine's, so that its fixes find them
-/// there.
+/// A pair of the engine's neighbour list, and its place in the engine's contact history.
 struct NeighbourPair {
   int i, j;
-  Touch touch;
-  int* flag;
-  double* history;
+};
+struct Spring {
+  int* flag;        // whether the pair touches
+  double* history;  // xi [m], slip rate of the half step [m/s]
 };
 
 class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected LAMMPS_NS::Pointers {
@@ -78,31 +79,42 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   std::vector<double> material_constant(const char* name, const char* symbol) const;
   void check_time_step() const;
   bool recording_due() const;
-  double slip_of(const physics::ContactState& state, bool touched, double& slip_rate) const;
   void choose_loops();
+  template <physics::Effects effects>
+  void use_loops_of();
   void gather();
   void scatter() const;
   template <physics::Effects effects>
   void flatten(LAMMPS_NS::PairGran& pair);
   template <physics::Effects effects>
-  std::size_t find_contacts();
+  int find_contacts(physics::ContactBatch& batch, std::size_t& next);
+  void begin_or_end(std::size_t pair, bool touch, int lane);
   template <physics::Effects effects>
-  void use_loops_of();
+  void load(physics::ContactBatch& batch, int count) const;
+  void slip_of_first_contacts(physics::ContactBatch& batch, double dt) const;
+  template <physics::Effects effects>
+  void store(const physics::ContactBatch& batch, int count, bool move_spring);
+  void observe(LAMMPS_NS::PairGran& pair, const physics::ContactBatch& batch, int lane, bool addflag);
+  [[noreturn]] void stop_at_coincident_centres(const physics::ContactBatch& batch) const;
   template <physics::Effects effects, bool observed>
   void loop(LAMMPS_NS::PairGran& pair, bool addflag);
-  template <physics::Effects effects>
-  void observe(LAMMPS_NS::PairGran& pair, const AppliedContact& contact, double* history, bool addflag);
-  [[noreturn]] void stop_at_coincident_centres(int i, int j) const;
 
   int64_t hash_;
   physics::Effects effects_;
   std::vector<physics::ContactParameters> parameters_;  // of type i and type j at (i - 1) * types + j - 1
-  // Of this step: owned and ghost discs, the loads on them, the indices of the pairs that touch.
+  // Of this step: owned and ghost discs, the loads on them.
   std::vector<Place> places_;
   std::vector<Motion> motions_;
   std::vector<Load> loads_;
-  std::vector<int> touching_;
-  std::vector<NeighbourPair> pairs_;  // since the neighbour list was built
+  // Of this batch: the index of each lane's pair, the lanes of contacts that begin.
+  std::unique_ptr<physics::ContactBatch> batch_ = std::make_unique<physics::ContactBatch>();
+  std::array<int, physics::ContactBatch::lanes> touching_{};
+  std::vector<int> first_contacts_;
+  // Since the neighbour list was built: its pairs, their springs, whether they touched in the last step.
+  std::vector<NeighbourPair> pairs_;
+  std::vector<Spring> springs_;
+  std::vector<unsigned char> touched_;
+  bool one_material_ = false;  // all pairs of types have the same constants
   Loop plain_loop_ = nullptr;
   Loop observed_loop_ = nullptr;
   bool predicted_ =

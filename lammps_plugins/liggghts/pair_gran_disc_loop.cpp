@@ -1,5 +1,8 @@
 // The pair loop of the disc law: one instance for each combination of effects, each plain and observed.
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "atom.h"
@@ -7,11 +10,13 @@
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran_disc.h"
+#include "physics/contact_batch.h"
 #include "update.h"
 
 namespace mikromakro::liggghts {
 
 using namespace LAMMPS_NS;
+using physics::ContactBatch;
 using physics::Effects;
 using physics::Tangential;
 
@@ -22,21 +27,20 @@ using Vector3 = double[3];
 constexpr int history_xi = 0, history_slip_rate = 1;
 }  // namespace
 
-void PairGranDisc::stop_at_coincident_centres(int i, int j) const {
-  const std::string text = "pair_style gran model disc/linear: discs " + std::to_string(atom->tag[i]) +
-                           " and " + std::to_string(atom->tag[j]) +
-                           " have the same centre: their contact has no normal";
-  error->one(FLERR, text.c_str());
+/// The engine's Error::one is silent on all ranks but the first, and loses its line where the output is a
+/// pipe.
+void PairGranDisc::stop_at_coincident_centres(const ContactBatch& c) const {
+  int lane = 0;
+  while (!std::isnan(c.n_x[lane])) ++lane;
+  const auto [i, j] = pairs_[touching_[lane]];
+  const std::string text = "ERROR: pair_style gran model disc/linear: discs " + std::to_string(atom->tag[i]) +
+                           " and " + std::to_string(atom->tag[j]) + " have the same centre in step " +
+                           std::to_string(update->ntimestep) + ": their contact has no normal\n";
+  if (logfile) std::fputs(text.c_str(), logfile);
+  std::fflush(nullptr);
+  std::fputs(text.c_str(), stderr);
+  MPI_Abort(world, 1);
   std::abort();
-}
-
-/// Slip of a contact in this step; slip_rate is kept from step to step. The stock integrators let the atoms
-/// carry half-step velocities, which need no correction.
-double PairGranDisc::slip_of(const physics::ContactState& state, bool touched, double& slip_rate) const {
-  if (!predicted_) return state.v_t * update->dt;
-  if (!touched) return physics::slip_since_onset(state, update->dt);
-  slip_rate = physics::slip_rate_of_half_step(slip_rate, state.v_t);
-  return slip_rate * update->dt;
 }
 
 /// What the pair loop reads of each disc, owned or ghost, side by side: the engine's arrays would cost a
@@ -72,42 +76,136 @@ void PairGranDisc::flatten(PairGran& pair) {
   const NeighList& list = *pair.list;
   const std::ptrdiff_t history_size = pair.dnum();
   pairs_.clear();
+  springs_.clear();
   for (int ii = 0; ii < list.inum; ++ii) {
     const int i = list.ilist[ii];
     for (int jj = 0; jj < list.numneigh[i]; ++jj) {
-      NeighbourPair p{i, list.firstneigh[i][jj] & NEIGHMASK, Touch::no, nullptr, nullptr};
+      pairs_.push_back({i, list.firstneigh[i][jj] & NEIGHMASK});
       if constexpr (effects.spring()) {
-        p.flag = &pair.listgranhistory->firstneigh[i][jj];
-        p.history = &pair.listgranhistory->firstdouble[i][history_size * jj];
-        p.touch = *p.flag ? Touch::yes : Touch::no;
+        int* flag = &pair.listgranhistory->firstneigh[i][jj];
+        springs_.push_back({flag, &pair.listgranhistory->firstdouble[i][history_size * jj]});
       }
-      pairs_.push_back(p);
     }
   }
-  touching_.resize(pairs_.size());
+  touched_.assign(pairs_.size(), 0);
+  if constexpr (effects.spring()) {
+    for (std::size_t k = 0; k < springs_.size(); ++k) touched_[k] = *springs_[k].flag != 0;
+  }
 }
 
-/// Fills touching_ with the pairs that overlap and returns their number. Which pairs do is as good as random
-/// to a processor, so the loop has no branch on it; only the few pairs whose state changes take one.
+/// Goes on through the pairs from `next` and puts those that overlap into the batch, until it is full or the
+/// pairs end; returns their number. Which pairs overlap is as good as random to a processor, so there is no
+/// branch on it; only the few pairs whose state changes take one.
 template <Effects effects>
-std::size_t PairGranDisc::find_contacts() {
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    NeighbourPair& p = pairs_[k];
-    const Place &a = places_[p.i], &b = places_[p.j];
+int PairGranDisc::find_contacts(ContactBatch& c, std::size_t& next) {
+  const Place* places = places_.data();
+  const NeighbourPair* pairs = pairs_.data();
+  unsigned char* touched = touched_.data();
+  const std::size_t end = pairs_.size();
+  std::size_t pair = next;
+  int count = 0;
+  first_contacts_.clear();
+  for (; pair < end && count < ContactBatch::lanes; ++pair) {
+    const Place &a = places[pairs[pair].i], &b = places[pairs[pair].j];
     const double d_x = b.x - a.x, d_y = b.y - a.y, reach = a.radius + b.radius;
     const bool touch = d_x * d_x + d_y * d_y < reach * reach;
-    touching_[count] = static_cast<int>(k);
-    count += touch;
+    c.d_x[count] = d_x;
+    c.d_y[count] = d_y;
+    c.a_1[count] = a.radius;
+    c.a_2[count] = b.radius;
+    touching_[count] = static_cast<int>(pair);
     if constexpr (effects.spring()) {
-      if (touch == (p.touch == Touch::no)) {
-        p.touch = touch ? Touch::first : Touch::no;
-        *p.flag = touch;
-        if (!touch) p.history[history_xi] = p.history[history_slip_rate] = 0;
-      }
+      if (touch != (touched[pair] != 0)) begin_or_end(pair, touch, count);
+    }
+    count += touch;
+  }
+  next = pair;
+  return count;
+}
+
+/// A spring starts and ends with zero; contacts that begin are noted by their lane.
+void PairGranDisc::begin_or_end(std::size_t pair, bool touch, int lane) {
+  touched_[pair] = touch;
+  *springs_[pair].flag = touch;
+  springs_[pair].history[history_xi] = springs_[pair].history[history_slip_rate] = 0;
+  if (touch) first_contacts_.push_back(lane);
+}
+
+/// Velocities, springs and material constants of the contacts in the batch.
+template <Effects effects>
+void PairGranDisc::load(ContactBatch& c, int count) const {
+  for (int k = 0; k < count; ++k) {
+    const auto [i, j] = pairs_[touching_[k]];
+    const Motion &m = motions_[i], &n = motions_[j];
+    c.w_x[k] = m.v_x - n.v_x;
+    c.w_y[k] = m.v_y - n.v_y;
+    if constexpr (effects.tangential != Tangential::none) {
+      c.omega_1[k] = m.omega;
+      c.omega_2[k] = n.omega;
+    }
+    if constexpr (effects.spring()) {
+      c.xi[k] = springs_[touching_[k]].history[history_xi];
+      c.slip_rate[k] = springs_[touching_[k]].history[history_slip_rate];
     }
   }
-  return count;
+  if (one_material_) return;  // it is in all lanes already
+  const std::size_t types = atom->ntypes;
+  for (int k = 0; k < count; ++k) {
+    const auto [i, j] = pairs_[touching_[k]];
+    c.set_material(k, parameters_[places_[i].type * types + places_[j].type]);
+  }
+}
+
+namespace {
+
+// Compiled for AVX2 and for any x86-64; the processor decides. Without fused multiply-add, so that both give
+// the same.
+template <Effects effects>
+__attribute__((target_clones("avx2", "default"))) bool batch_geometry(ContactBatch& c, int count,
+                                                                      bool predicted, double dt) {
+  const bool defined = physics::contact_geometry<effects>(c, count);
+  if constexpr (effects.spring()) physics::contact_slip(c, count, predicted, dt);
+  return defined;
+}
+template <Effects effects>
+__attribute__((target_clones("avx2", "default"))) void batch_forces(ContactBatch& c, int count) {
+  physics::contact_forces<effects>(c, count);
+}
+
+}  // namespace
+
+/// With predicted velocities, contacts that begin in this step slip from the moment when they touched.
+void PairGranDisc::slip_of_first_contacts(ContactBatch& c, double dt) const {
+  for (const int k : first_contacts_) {
+    c.slip_rate[k] = c.v_t[k];
+    if (predicted_ && dt > 0)
+      c.slip[k] = physics::slip_since_onset({c.overlap[k], c.v_n[k], c.v_t[k], 0}, dt);
+  }
+}
+
+/// Adds the forces and torques to both discs and keeps the springs.
+template <Effects effects>
+void PairGranDisc::store(const ContactBatch& c, int count, bool move_spring) {
+  for (int k = 0; k < count; ++k) {
+    const auto [i, j] = pairs_[touching_[k]];
+    Load &on_i = loads_[i], &on_j = loads_[j];
+    on_i.f_x += c.f_x[k];
+    on_i.f_y += c.f_y[k];
+    on_j.f_x -= c.f_x[k];
+    on_j.f_y -= c.f_y[k];
+    if constexpr (effects.tangential != Tangential::none) {
+      on_i.torque += c.torque_1[k];
+      on_j.torque += c.torque_2[k];
+    }
+  }
+  if constexpr (effects.spring()) {
+    if (!move_spring) return;
+    for (int k = 0; k < count; ++k) {
+      double* history = springs_[touching_[k]].history;
+      history[history_xi] = c.xi[k];
+      history[history_slip_rate] = c.slip_rate[k];
+    }
+  }
 }
 
 template <Effects effects, bool observed>
@@ -115,77 +213,46 @@ void PairGranDisc::loop(PairGran& pair, bool addflag) {
   gather();
   if (neighbor->ago == 0 || pairs_.empty()) flatten<effects>(pair);
   const bool move_spring = pair.computeflag() && pair.shearupdate();
-  const std::size_t types = atom->ntypes, contacts = find_contacts<effects>();
+  const double dt = move_spring ? update->dt : 0.0;
+  ContactBatch& c = *batch_;
+  for (int k = 0; k < ContactBatch::lanes; ++k) c.set_material(k, parameters_.front());
 
-  for (std::size_t k = 0; k < contacts; ++k) {
-    NeighbourPair& p = pairs_[touching_[k]];
-    const Place &a = places_[p.i], &b = places_[p.j];
-    const Motion &m = motions_[p.i], &n = motions_[p.j];
-    const double d_x = b.x - a.x, d_y = b.y - a.y;
-    const double distance = std::sqrt(d_x * d_x + d_y * d_y);
-    if (distance == 0) stop_at_coincident_centres(p.i, p.j);
-    const double inverse = 1 / distance, n_x = d_x * inverse, n_y = d_y * inverse;
-    const double overlap = a.radius + b.radius - distance;
-    const double arm_i = a.radius - overlap / 2, arm_j = b.radius - overlap / 2;
-    const double w_x = m.v_x - n.v_x, w_y = m.v_y - n.v_y;
-    physics::ContactState state{overlap, w_x * n_x + w_y * n_y, 0, 0};
-    if constexpr (effects.tangential != Tangential::none) {
-      state.v_t = w_y * n_x - w_x * n_y + m.omega * arm_i + n.omega * arm_j;
-    }
-    double slip = 0;
-    if constexpr (effects.spring()) {
-      state.xi = p.history[history_xi];
-      if (move_spring) slip = slip_of(state, p.touch != Touch::first, p.history[history_slip_rate]);
-    }
-
-    const auto force = physics::contact_force<effects>(parameters_[a.type * types + b.type], state, slip);
-    if constexpr (effects.spring()) {
-      if (move_spring) p.history[history_xi] = force.xi;
-      if (p.touch == Touch::first) {
-        p.history[history_slip_rate] = state.v_t;
-        p.touch = Touch::yes;
-      }
-    }
-    // Force on i: -f_n n + f_t t.
-    const double f_x = -force.f_n * n_x - force.f_t * n_y, f_y = -force.f_n * n_y + force.f_t * n_x;
-    Load &on_i = loads_[p.i], &on_j = loads_[p.j];
-    on_i.f_x += f_x;
-    on_i.f_y += f_y;
-    on_j.f_x -= f_x;
-    on_j.f_y -= f_y;
-    if constexpr (effects.tangential != Tangential::none) {
-      on_i.torque += arm_i * force.f_t;
-      on_j.torque += arm_j * force.f_t;
-    }
+  for (std::size_t next = 0; next < pairs_.size();) {
+    const int count = find_contacts<effects>(c, next);
+    load<effects>(c, count);
+    if (!batch_geometry<effects>(c, count, predicted_, dt)) stop_at_coincident_centres(c);
+    if constexpr (effects.spring()) slip_of_first_contacts(c, dt);
+    batch_forces<effects>(c, count);
+    store<effects>(c, count, move_spring);
     if constexpr (observed) {
-      observe<effects>(pair, {p.i, p.j, n_x, n_y, overlap, force, state.v_n, state.v_t}, p.history, addflag);
+      for (int k = 0; k < count; ++k) observe(pair, c, k, addflag);
     }
   }
   if (pair.computeflag()) scatter();
 }
 
 /// Hands one contact to whoever looks at it: our own record, `compute pair/gran/local`, the virial.
-template <Effects effects>
-void PairGranDisc::observe(PairGran& pair, const AppliedContact& c, double* history, bool addflag) {
-  if (recording_) applied_.push_back(c);
-  const double c_x = -c.force.f_n * c.n_x - c.force.f_t * c.n_y;
-  const double c_y = -c.force.f_n * c.n_y + c.force.f_t * c.n_x;
+void PairGranDisc::observe(PairGran& pair, const ContactBatch& c, int k, bool addflag) {
+  const auto [i, j] = pairs_[touching_[k]];
+  if (recording_) {
+    const double xi = effects_.spring() ? c.xi[k] : 0.0;
+    applied_.push_back(
+        {i, j, c.n_x[k], c.n_y[k], c.overlap[k], {c.f_n[k], c.f_t[k], xi}, c.v_n[k], c.v_t[k]});
+  }
   if (pair.cpl() && addflag) {
     LCM::SurfacesIntersectData data;
     LCM::ForceData force_on_i;
-    data.i = c.i;
-    data.j = c.j;
-    data.deltan = c.overlap;
-    data.contact_history = history;
-    force_on_i.delta_F[0] = c_x;
-    force_on_i.delta_F[1] = c_y;
-    force_on_i.delta_torque[2] = (atom->radius[c.i] - c.overlap / 2) * c.force.f_t;
+    data.i = i;
+    data.j = j;
+    data.deltan = c.overlap[k];
+    data.contact_history = effects_.spring() ? springs_[touching_[k]].history : nullptr;
+    force_on_i.delta_F[0] = c.f_x[k];
+    force_on_i.delta_F[1] = c.f_y[k];
+    force_on_i.delta_torque[2] = c.torque_1[k];
     pair.cpl_add_pair(data, force_on_i);
   }
   if (pair.evflag) {
-    const double distance = atom->radius[c.i] + atom->radius[c.j] - c.overlap;
-    pair.ev_tally_xyz(c.i, c.j, atom->nlocal, 0, 0.0, 0.0, c_x, c_y, 0.0, -c.n_x * distance,
-                      -c.n_y * distance, 0.0);
+    pair.ev_tally_xyz(i, j, atom->nlocal, 0, 0.0, 0.0, c.f_x[k], c.f_y[k], 0.0, -c.d_x[k], -c.d_y[k], 0.0);
   }
 }
 

@@ -124,6 +124,8 @@ void PairGranDisc::read_material_constants() {
   if (tangential != Tangential::none) store(&P::friction, "coefficientFriction", "mu [-]");
   if (effects_.spring()) store(&P::tangential_stiffness, "kt", "k_t [N/m]");
   if (damped) store(&P::tangential_damping, "gammat_abs", "gamma_t [kg/s]");
+  one_material_ = std::all_of(parameters_.begin(), parameters_.end(),
+                              [&](const P& p) { return p == parameters_.front(); });
   for (const auto& p : parameters_) {
     if (p.normal_stiffness == 0)
       error->all(FLERR, "pair_style gran model disc/linear: property/global kn: expected > 0, got 0");

@@ -41,6 +41,8 @@ struct ContactParameters {
   double tangential_stiffness = 0;  // k_t [N/m]
   double tangential_damping = 0;    // gamma_t [kg/s]
   double friction = 0;              // mu [-]
+
+  constexpr bool operator==(const ContactParameters&) const = default;
 };
 
 struct ContactState {
@@ -92,10 +94,10 @@ ContactForce spring_force(const ContactParameters& p, const ContactState& s, dou
   const double viscous = effects.tangential == Tangential::damped_spring ? p.tangential_damping * s.v_t : 0.0;
   const double stretched = s.xi + slip;
   const double trial = -p.tangential_stiffness * stretched - viscous;
-  if (std::abs(trial) <= cap) return {f_n, trial, stretched};
-  const double sliding = std::copysign(cap, trial);
-  const double elastic = std::clamp(-(sliding + viscous), -cap, cap);
-  return {f_n, sliding, elastic / p.tangential_stiffness};
+  const double f_t = std::clamp(trial, -cap, cap);
+  // Both outcomes are worked out and one is chosen, which lets several contacts be evaluated side by side.
+  const double sliding_xi = std::clamp(-(f_t + viscous), -cap, cap) / p.tangential_stiffness;
+  return {f_n, f_t, std::abs(trial) <= cap ? stretched : sliding_xi};
 }
 
 /// Force of one contact. slip [m] of 1 against 2 along t is what stretches the spring before; 0 evaluates the

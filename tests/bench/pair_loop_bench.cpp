@@ -54,6 +54,7 @@ class Medians : public benchmark::ConsoleReporter {
     }
     ConsoleReporter::ReportRuns(runs);
   }
+  bool has(const std::string& name) const { return medians_.contains(name); }
   double operator[](const std::string& name) const { return medians_.at(name); }
 
  private:
@@ -87,6 +88,7 @@ int main(int argc, char** argv) {
   Medians medians;
   benchmark::RunSpecifiedBenchmarks(&medians);
   for (int k = 0; k < 3; ++k) {
+    if (!medians.has(stock_laws[k].name) || !medians.has(disc_laws[k].name)) continue;  // filtered out
     fmt::print("pair loop, {} over {}: {:.1f}\n", stock_laws[k].name, disc_laws[k].name,
                medians[stock_laws[k].name] / medians[disc_laws[k].name]);
   }

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "averaging/averager.h"
+#include "averaging/ring_volumes.h"
 #include "engine.h"
 #include "packing.h"
 
@@ -24,6 +26,31 @@ Result sheared_packing(MPI_Comm ranks, const std::string& law, int steps) {
   engine.run("fix integrate all nve/disc\ntimestep 4e-5\ncompute contacts all contact/disc\n");
   engine.run(fmt::format("run {}\n", steps));
   return {engine.discs(), engine.contacts()};
+}
+
+/// Averages over eight rings about the origin.
+Table ring_averages(const Result& result) {
+  Frame frame;
+  std::map<int, int> index;
+  for (const auto& [id, d] : result.discs) {
+    index[id] = static_cast<int>(frame.particles.size());
+    frame.particles.push_back({id, d.type, {d.x, d.y}, d.radius, {d.v_x, d.v_y}, d.omega, d.mass});
+  }
+  for (const auto& [ids, c] : result.contacts) {
+    frame.contacts.push_back({ids.first,
+                              ids.second,
+                              index.at(ids.first),
+                              index.at(ids.second),
+                              {c.n_x, c.n_y},
+                              c.overlap,
+                              {c.f_x, c.f_y},
+                              c.xi});
+  }
+  std::vector<double> edges;
+  for (int k = 0; k <= 8; ++k) edges.push_back(0.01 * k);
+  const Averager averager(std::make_unique<const RingVolumes>(Eigen::Vector2d::Zero(), edges, 1.0),
+                          make_weight("sliced"), make_fields({}), {});
+  return averager.solve(averager.frame_sums(frame));
 }
 
 class OneRankAgainstAll : public testing::TestWithParam<const char*> {};
@@ -47,6 +74,15 @@ TEST_P(OneRankAgainstAll, SameContactsAndForcesAfterAHundredSteps) {
   // Rounding of the sums of forces in another order, grown by the chaos of 100 steps (two contact durations).
   EXPECT_LT(largest / rms, 1e-12);
   EXPECT_LT(largest_spring, 1e-12 * packing_box);
+
+  const auto rings_one = ring_averages(one), rings_all = ring_averages(all);
+  ASSERT_GT(rings_one.columns.size(), 10U);
+  for (Eigen::Index column = 0; column < rings_one.rows.cols(); ++column) {
+    const double size = rings_one.rows.col(column).cwiseAbs().maxCoeff();
+    // The same rounding, in sums of some hundred terms whose signs may cancel.
+    EXPECT_LE((rings_one.rows.col(column) - rings_all.rows.col(column)).cwiseAbs().maxCoeff(), 1e-11 * size)
+        << rings_one.columns[column].name;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, OneRankAgainstAll,

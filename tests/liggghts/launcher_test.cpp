@@ -1,0 +1,174 @@
+// liggghts-disc as a program: command line, styles after `clear`, warnings and errors as a user meets them,
+// alone and under mpirun.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "mikromakro_version.h"
+#include "physics/contact_duration.h"
+
+namespace mikromakro::test {
+namespace {
+
+struct Ending {
+  int code;
+  std::string output;  // stdout and stderr
+  std::size_t lines_with(const std::string& text) const {
+    std::istringstream lines(output);
+    std::size_t count = 0;
+    for (std::string line; std::getline(lines, line);) count += line.find(text) != std::string::npos ? 1 : 0;
+    return count;
+  }
+};
+
+/// The lines every script here starts with: two discs of 10 mm, apart, and no material constants.
+const std::string two_discs = R"(
+units si
+dimension 2
+newton off
+atom_style granular
+communicate single vel yes
+boundary f f p
+region box block -0.05 0.05 -0.05 0.05 -0.001 0.001 units box
+create_box 1 box
+neighbor 0.001 bin
+neigh_modify delay 0
+create_atoms 1 single -0.02 0 0 units box
+create_atoms 1 single 0.02 0 0 units box
+set group all diameter 0.01 density 6
+timestep 2e-5
+)";
+
+std::string constant(const char* name, double value) {
+  return fmt::format("fix {0} all property/global {0} peratomtypepair 1 {1}\n", name, value);
+}
+
+const std::string normal_constants = constant("kn", 352.1) + constant("gamman_abs", 0.19);
+const std::string normal_law =
+    normal_constants + "pair_style gran model disc/linear tangential off\npair_coeff * *\n";
+const std::string five_steps = "fix integrate all nve/disc\nrun 5\n";
+
+class Launcher : public testing::Test {
+ protected:
+  Launcher() : folder_(testing::TempDir() + "launcher" + std::to_string(getpid())) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~Launcher() override { std::filesystem::remove_all(folder_); }
+
+  /// Runs the program in a folder of its own, within 30 s.
+  Ending run(const std::string& arguments, int ranks = 1) const {
+    const std::string mpi = ranks > 1 ? fmt::format("{} -n {} ", MPIEXEC, ranks) : "";
+    const std::string command = fmt::format("cd {} && timeout 30 </dev/null {}{} {} 2>&1", folder_.string(),
+                                            mpi, LIGGGHTS_DISC, arguments);
+    FILE* pipe = popen(command.c_str(), "r");
+    std::string output;
+    char piece[4096];
+    for (std::size_t count = 0; (count = std::fread(piece, 1, sizeof piece, pipe)) > 0;)
+      output.append(piece, count);
+    const int status = pclose(pipe);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
+  }
+
+  Ending run_script(const std::string& script, int ranks = 1,
+                    const std::string& options = "-log none") const {
+    std::ofstream(folder_ / "in.test") << script;
+    return run("-in in.test " + options, ranks);
+  }
+
+  bool has(const char* file) const { return std::filesystem::exists(folder_ / file); }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(Launcher, NamesItsVersionInTheFirstLine) {
+  for (const int ranks : {1, 2}) {
+    const auto ending = run_script("print hello\n", ranks);
+    EXPECT_EQ(ending.code, 0);
+    EXPECT_EQ(ending.lines_with("mikromakro " MIKROMAKRO_VERSION), 1U) << ending.output;
+    EXPECT_EQ(ending.output.find("mikromakro " MIKROMAKRO_VERSION), 0U);
+  }
+}
+
+TEST_F(Launcher, HelpListsTheDiscStylesBesideThoseOfTheEngine) {
+  const auto ending = run("-help");
+  EXPECT_EQ(ending.code, 0);
+  for (const auto* name :
+       {"disc/linear", "disc/viscous", "disc/cundall_strack", "nve/disc", "contact/disc", "nve/sphere"}) {
+    EXPECT_NE(ending.output.find(name), std::string::npos) << name;
+  }
+}
+
+TEST_F(Launcher, TakesTheOptionsOfTheEngine) {
+  const std::string script = "print \"size is ${size}\"\n";
+  const auto plain = run_script(script, 1, "-var size 17 -echo none -log my.log");
+  EXPECT_EQ(plain.lines_with("size is 17"), 1U) << plain.output;
+  EXPECT_TRUE(has("my.log"));
+  EXPECT_FALSE(has("log.liggghts"));
+  // Echoed, then printed.
+  EXPECT_EQ(run_script(script, 1, "-var size 17 -echo screen -log none").lines_with("size is"), 2U);
+  EXPECT_EQ(run_script(script, 1, "-var size 17 -screen none -log none").lines_with("size is"), 0U);
+  EXPECT_EQ(run("-var size 17 -log none < in.test").lines_with("size is 17"), 1U);
+  EXPECT_EQ(run_script(script, 2, "-var size 17 -echo none -log none").lines_with("size is 17"), 1U);
+}
+
+TEST_F(Launcher, KeepsTheStylesOverClear) {
+  const std::string scene = two_discs + normal_law + "compute contacts all contact/disc\n" + five_steps;
+  for (const int ranks : {1, 2}) {
+    const auto ending = run_script(scene + "clear\n" + scene + "clear\n" + scene + "print done\n", ranks);
+    EXPECT_EQ(ending.code, 0) << ending.output;
+    EXPECT_EQ(ending.lines_with("ERROR"), 0U);
+    EXPECT_GE(ending.lines_with("done"), 1U);
+  }
+}
+
+TEST_F(Launcher, WarnsOfAStepAboveAFiftiethOfTheContactAndNamesOneThatWouldDo) {
+  const double mass = 6 * M_PI * 0.005 * 0.005;
+  const double t_c = physics::contact_duration(352.1, 0.19, mass / 2);
+  const auto warning = fmt::format("'timestep {:.4g}' would do", t_c / 50);
+  for (const int ranks : {1, 2}) {
+    const auto run_with = [&](double dt) {
+      return run_script(two_discs + normal_law + fmt::format("timestep {:.17g}\n", dt) + five_steps, ranks);
+    };
+    const auto long_step = run_with(t_c / 40), short_step = run_with(t_c / 50);
+    EXPECT_EQ(long_step.code, 0);
+    EXPECT_EQ(long_step.lines_with(warning), 1U) << long_step.output;
+    EXPECT_EQ(short_step.lines_with("would do"), 0U) << short_step.output;
+  }
+}
+
+TEST_F(Launcher, AsksOnlyForTheConstantsOfTheChosenLaw) {
+  const std::string mu = constant("coefficientFriction", 0.4), k_t = constant("kt", 200),
+                    gamma_t = constant("gammat_abs", 0.1);
+  const auto code = [&](const std::string& constants, const char* law) {
+    return run_script(two_discs + normal_constants + constants + "pair_style gran model disc/linear " + law +
+                      "\npair_coeff * *\n" + five_steps)
+        .code;
+  };
+  EXPECT_EQ(code("", "tangential off"), 0);
+  EXPECT_EQ(code(mu + gamma_t, "tangential disc/viscous"), 0);
+  EXPECT_EQ(code(mu + k_t, "tangential disc/cundall_strack"), 0);
+  EXPECT_EQ(code(mu + k_t + gamma_t, "tangential disc/cundall_strack tangential_damping on"), 0);
+}
+
+TEST_F(Launcher, StopsAtDiscsWithTheSameCentreOnWhicheverRankTheyAre) {
+  const std::string again =
+      "create_atoms 1 single 0.02 0 0 units box\nset group all diameter 0.01 density 6\n";
+  for (const int ranks : {1, 2}) {
+    const auto ending = run_script(two_discs + again + normal_law + five_steps, ranks);
+    EXPECT_NE(ending.code, 0);
+    EXPECT_EQ(
+        ending.lines_with("ERROR: pair_style gran model disc/linear: discs 2 and 3 have the same centre"), 1U)
+        << ending.output;
+    EXPECT_EQ(ending.lines_with("nan"), 0U);
+  }
+}
+
+}  // namespace
+}  // namespace mikromakro::test
