@@ -1,13 +1,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
 #include <memory>
 
 #include "app/commands.h"
 #include "app/progress.h"
-#include "averaging/averager.h"
-#include "averaging/ring_volumes.h"
+#include "app/volume_options.h"
 #include "averaging/time_average.h"
 #include "io/csv_writer.h"
 #include "io/error.h"
@@ -20,12 +18,10 @@ namespace {
 
 struct AverageOptions {
   std::vector<std::string> particles, contacts, particle_columns, contact_columns, fields;
-  std::vector<double> rings, center = {0, 0}, edges;
-  std::string weight = "sliced", branch = "radius", frames, steps;
+  VolumeOptions volumes;
+  std::string frames, steps;
   std::vector<std::string> out;
-  double height = 1;
   double kn = 0;
-  std::vector<int> bulk_types;
   bool quiet = false;
 };
 
@@ -34,12 +30,7 @@ void add_options(CLI::App& app, AverageOptions& options) {
                  "text dumps of particles (names or patterns, plain or gzip)")
       ->required();
   app.add_option("--contacts", options.contacts, "text dumps of contacts");
-  app.add_option("--rings", options.rings, "RMIN RMAX N: N equal rings (m)")->expected(3);
-  app.add_option("--center", options.center, "X Y: centre of the rings (m), default 0 0")->expected(2);
-  app.add_option("--edges", options.edges, "R0,R1,...: own radii of the rings (m)")->delimiter(',');
-  app.add_option("--weight", options.weight, "sliced (area of the disc in the volume, default) or centre");
-  app.add_option("--height", options.height, "thickness of the discs (m), default 1");
-  app.add_option("--bulk-types", options.bulk_types, "types that are averaged, default all")->delimiter(',');
+  add_volume_options(app, options.volumes);
   app.add_option("--kn", options.kn, "normal stiffness k_n (N/m), noted in the output")
       ->check(CLI::PositiveNumber);
   app.add_option("--frames", options.frames, "FIRST:LAST[:STEP]: frames by index from 0");
@@ -48,8 +39,6 @@ void add_options(CLI::App& app, AverageOptions& options) {
       ->delimiter(',');
   app.add_option("--contact-columns", options.contact_columns, "names of all columns, - to skip one")
       ->delimiter(',');
-  app.add_option("--branch", options.branch,
-                 "branch vector: radius (a_p n, default) or contact (to the contact point)");
   app.add_option("--fields", options.fields,
                  fmt::format("all, or names of {}; default {}", fmt::join(field_names(), ","),
                              fmt::join(default_field_names(), ",")))
@@ -58,31 +47,6 @@ void add_options(CLI::App& app, AverageOptions& options) {
                  "FILE.csv, or - for standard output (default); may be given more than once")
       ->allow_extra_args(false);
   app.add_flag("--quiet", options.quiet, "no progress bar");
-}
-
-Branch branch_of(const std::string& name) {
-  if (name == "radius") return Branch::radius;
-  if (name == "contact") return Branch::contact;
-  throw bad_input({"--branch"}, "unknown branch vector", "radius or contact", in_quotes(name));
-}
-
-std::unique_ptr<const Volumes> volumes_of(const AverageOptions& options) {
-  if (options.rings.empty() == options.edges.empty()) {
-    throw bad_input({"--rings"}, "the volumes are not clear", "either --rings or --edges",
-                    options.rings.empty() ? "none" : "both");
-  }
-  std::vector<double> edges = options.edges;
-  if (edges.empty()) {
-    constexpr double most_rings = 1e6;
-    const double count = options.rings[2];
-    if (count != std::floor(count) || count < 1 || count > most_rings)
-      throw bad_input({"--rings"}, "not a number of rings", "a whole number N, 1 to 1000000",
-                      fmt::format("{}", count));
-    edges = equal_ring_edges(options.rings[0], options.rings[1], static_cast<int>(count));
-  }
-  const Eigen::Vector2d center{options.center[0], options.center[1]};
-  if (!center.allFinite()) throw bad_input({"--center"}, "not a point", "finite numbers", "others");
-  return std::make_unique<const RingVolumes>(center, std::move(edges), options.height);
 }
 
 // Where the table goes to: every file is made at once, and filled when all frames are read.
@@ -164,39 +128,28 @@ Preamble preamble_of(const AverageOptions& options, const FrameSource& source, c
   if (!options.contact_columns.empty())
     lines.emplace_back("contact columns", fmt::format("{}", fmt::join(options.contact_columns, ",")));
   lines.emplace_back("frames", fmt::format("{}, steps {} to {}", frames, range.first_step, range.last_step));
-  if (options.edges.empty()) {
-    lines.emplace_back("rings",
-                       fmt::format("{} {} {}", options.rings[0], options.rings[1], options.rings[2]));
-  } else {
-    lines.emplace_back("edges", fmt::format("{}", fmt::join(options.edges, ",")));
-  }
-  lines.emplace_back("center", fmt::format("{} {}", options.center[0], options.center[1]));
-  lines.emplace_back("weight", options.weight);
-  lines.emplace_back("branch", options.branch);
-  lines.emplace_back("height", fmt::format("{} m", options.height));
-  lines.emplace_back("bulk types", options.bulk_types.empty()
-                                       ? "all"
-                                       : fmt::format("{}", fmt::join(options.bulk_types, ",")));
+  describe_volumes(options.volumes, lines);
   if (options.kn > 0) lines.emplace_back("kn", fmt::format("{} N/m", options.kn));
   return lines;
 }
 
 void average(const AverageOptions& options) {
-  const AveragingOptions averaging{options.bulk_types, branch_of(options.branch)};
-  const Averager averager(volumes_of(options), make_weight(options.weight), make_fields(options.fields),
-                          averaging);
-  const FrameSource source = source_of(options, averager);
+  FieldOptions numbers;
+  numbers.rings = are_rings(options.volumes);
+  const auto averager = make_averager(options.volumes, make_fields(options.fields, numbers));
+  const FrameSource source = source_of(options, *averager);
   Outputs outputs(options.out);
   FrameRange range;
-  const TimeAverage sums = sum_frames(source, averager, options.quiet, range);
-  const Table table = averager.solve(sums.mean());
+  const TimeAverage sums = sum_frames(source, *averager, options.quiet, range);
+  const Table table = averager->solve(sums.mean());
   outputs.commit(csv_text(preamble_of(options, source, range, sums.frames()), table));
 }
 
 }  // namespace
 
 void add_average_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("average", "fields over rings from particle and contact dumps");
+  CLI::App* app = program.add_subcommand(
+      "average", "fields over rings, sectors or rectangles from particle and contact dumps");
   auto options = std::make_shared<AverageOptions>();
   add_options(*app, *options);
   app->callback([options] { average(*options); });
