@@ -1,11 +1,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <atomic>
 #include <memory>
+#include <thread>
 
 #include "app/commands.h"
 #include "app/progress.h"
 #include "app/volume_options.h"
+#include "averaging/ordered_sums.h"
+#include "averaging/ranks.h"
 #include "averaging/time_average.h"
 #include "io/csv_writer.h"
 #include "io/error.h"
@@ -22,6 +27,7 @@ struct AverageOptions {
   std::string frames, steps;
   std::vector<std::string> out;
   double kn = 0;
+  int threads = 0;  // 0: as many as the machine has
   bool quiet = false;
 };
 
@@ -46,6 +52,9 @@ void add_options(CLI::App& app, AverageOptions& options) {
   app.add_option("--out", options.out,
                  "FILE.csv, or - for standard output (default); may be given more than once")
       ->allow_extra_args(false);
+  app.add_option("--threads", options.threads,
+                 "threads, default all of the machine; 1 for each rank under mpirun")
+      ->check(CLI::Range(1, 1024));
   app.add_flag("--quiet", options.quiet, "no progress bar");
 }
 
@@ -99,20 +108,42 @@ struct FrameRange {
   std::int64_t last_step = 0;
 };
 
-TimeAverage sum_frames(const FrameSource& source, const Averager& averager, bool quiet, FrameRange& range) {
-  Progress progress(total_size(source.particle_files) + total_size(source.contact_files), quiet);
-  FrameStream stream(source);
+int threads_of(const AverageOptions& options, const Ranks& ranks) {
+  if (options.threads > 0) return options.threads;
+  return ranks.size() > 1 ? 1 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+// The averager, and what it is to read.
+struct Task {
+  std::unique_ptr<const Averager> averager;
+  FrameSource source;
+  std::int64_t bytes = 0;            // of all its files
+  std::unique_ptr<Outputs> outputs;  // on rank 0
+};
+
+// The mean of all frames, on rank 0; the others give their part.
+TimeAverage sum_frames(const Task& task, const AverageOptions& options, const Ranks& ranks,
+                       FrameRange& range) {
+  Progress progress(task.bytes, options.quiet || !ranks.first());
   TimeAverage average;
-  Frame frame;
-  while (stream.next(frame)) {
+  std::atomic<std::int64_t> bytes = 0;
+  const auto read_and_sum = [&](const TakeSums& take) {
+    FrameSource own = task.source;
+    own.selection = ranks.own_part(own.selection);
+    FrameStream stream(own);
+    const auto next = [&](Frame& frame) {
+      const bool some = stream.next(frame);
+      bytes = stream.bytes_read();
+      return some;
+    };
+    sum_in_order(next, *task.averager, threads_of(options, ranks), take);
+  };
+  ranks.gather_in_order(read_and_sum, [&](const FrameSums& frame) {
     if (average.frames() == 0) range.first_step = frame.step;
     range.last_step = frame.step;
-    average.add(averager.frame_sums(frame));
-    progress.update(stream.bytes_read(), average.frames());
-  }
-  if (average.frames() == 0)
-    throw bad_input({source.particle_files.front()}, "no frame is selected",
-                    "frames that --frames and --steps select", "0");
+    average.add(frame.sums);
+    progress.update(bytes, average.frames());
+  });
   return average;
 }
 
@@ -133,16 +164,35 @@ Preamble preamble_of(const AverageOptions& options, const FrameSource& source, c
   return lines;
 }
 
-void average(const AverageOptions& options) {
+Task task_of(const AverageOptions& options, const Ranks& ranks) {
   FieldOptions numbers;
   numbers.rings = are_rings(options.volumes);
-  const auto averager = make_averager(options.volumes, make_fields(options.fields, numbers));
-  const FrameSource source = source_of(options, *averager);
-  Outputs outputs(options.out);
+  Task task;
+  task.averager = make_averager(options.volumes, make_fields(options.fields, numbers));
+  task.source = source_of(options, *task.averager);
+  task.bytes = total_size(task.source.particle_files) + total_size(task.source.contact_files);
+  if (ranks.first()) task.outputs = std::make_unique<Outputs>(options.out);
+  return task;
+}
+
+void write(const AverageOptions& options, const Task& task, const TimeAverage& sums,
+           const FrameRange& range) {
+  if (sums.frames() == 0)
+    throw bad_input({task.source.particle_files.front()}, "no frame is selected",
+                    "frames that --frames and --steps select", "0");
+  const Table table = task.averager->solve(sums.mean());
+  task.outputs->commit(csv_text(preamble_of(options, task.source, range, sums.frames()), table));
+}
+
+void average(const AverageOptions& options) {
+  const Ranks ranks;
+  Task task;
+  ranks.agree([&] { task = task_of(options, ranks); });
   FrameRange range;
-  const TimeAverage sums = sum_frames(source, *averager, options.quiet, range);
-  const Table table = averager->solve(sums.mean());
-  outputs.commit(csv_text(preamble_of(options, source, range, sums.frames()), table));
+  const TimeAverage sums = sum_frames(task, options, ranks, range);
+  ranks.agree([&] {
+    if (ranks.first()) write(options, task, sums, range);
+  });
 }
 
 }  // namespace
