@@ -71,8 +71,8 @@ inline double sector_corner(double d, double a, double R, double delta) {
   const double half = std::sin(0.5 * rest);
   const double along = (R - d) + 2 * d * half * half;
   const double left = -d * std::sin(rest);
-  return turns * disc_circle_area(d, a, R) + arc_sweep(d, a, R, rest) -
-         a * a * line_sweep(left / a, along / a);
+  const double whole_turns = turns == 0 ? 0 : turns * disc_circle_area(d, a, R);
+  return whole_turns + arc_sweep(d, a, R, rest) - a * a * line_sweep(left / a, along / a);
 }
 
 }  // namespace mikromakro

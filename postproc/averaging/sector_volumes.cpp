@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "averaging/disc_corner_area.h"
 #include "io/error.h"
@@ -29,13 +30,14 @@ Eigen::ArrayXd SectorVolumes::measure() const {
   return measure;
 }
 
-// The sectors that a disc may touch, one more on either side against rounding; all of them around the centre.
-// From the first to before the last, numbers over any number of turns.
+// The sectors that a disc touches, from the first to before the last, numbers over any number of turns; all
+// of them around the centre.
 SectorVolumes::SectorRange SectorVolumes::sectors_near(double direction, double distance,
                                                        double radius) const {
-  const double half = distance > radius ? std::asin(radius / distance) : std::numbers::pi;
-  const int first = static_cast<int>(std::floor((direction - half) / angle(1))) - 1;
-  const int last = static_cast<int>(std::floor((direction + half) / angle(1))) + 2;
+  constexpr double rounding = 1e-12;  // of the angles
+  const double half = distance > radius ? std::asin(radius / distance) + rounding : std::numbers::pi;
+  const int first = static_cast<int>(std::floor((direction - half) / angle(1)));
+  const int last = static_cast<int>(std::floor((direction + half) / angle(1))) + 1;
   return {first, std::min(last, first + sectors_)};
 }
 
@@ -46,22 +48,26 @@ void SectorVolumes::slice(const Eigen::Vector2d& centre, double radius, std::vec
   const double direction = std::atan2(arm[1], arm[0]);
   const double area = std::numbers::pi * radius * radius;
   const auto [first, last] = sectors_near(direction, distance, radius);
-  const auto corner = [&](std::size_t ring_edge, int sector) {
+  // Part of the disc within a ring's edge, from anywhere on to where a sector begins.
+  const auto corner = [&, first = first](double edge, int sector) {
     // A whole turn comes back to the same line, not to one with an angle rounded otherwise.
     const bool turned = sector - first == sectors_;
     const double delta = angle(turned ? first : sector) - direction;
-    const double turn = turned ? disc_circle_area(distance, radius, edges[ring_edge]) : 0;
-    return (sector_corner(distance, radius, edges[ring_edge], delta) + turn) / area;
+    const double turn = turned ? disc_circle_area(distance, radius, edge) : 0;
+    return (sector_corner(distance, radius, edge, delta) + turn) / area;
   };
-  auto inner = std::upper_bound(edges.begin() + 1, edges.end(), distance - radius) - 1;
-  for (; inner + 1 != edges.end() && *inner < distance + radius; ++inner) {
-    const auto ring = static_cast<std::size_t>(inner - edges.begin());
-    double before = corner(ring + 1, first) - corner(ring, first);
-    for (int sector = first; sector < last; ++sector) {
-      const double next = corner(ring + 1, sector + 1) - corner(ring, sector + 1);
-      const int place = (sector % sectors_ + sectors_) % sectors_;
-      if (next - before > smallest_share)
-        shares.push_back({static_cast<int>(ring) * sectors_ + place, next - before});
+  auto edge = std::upper_bound(edges.begin() + 1, edges.end(), distance - radius) - 1;
+  std::vector<double> within(static_cast<std::size_t>(last - first) + 1);
+  for (int i = first; i <= last; ++i) within[static_cast<std::size_t>(i - first)] = corner(*edge, i);
+  for (; edge + 1 != edges.end() && *edge < distance + radius; ++edge) {
+    const int ring = static_cast<int>(edge - edges.begin());
+    double before = 0;
+    for (int i = first; i <= last; ++i) {
+      const double outer = corner(edge[1], i);
+      const double next = outer - std::exchange(within[static_cast<std::size_t>(i - first)], outer);
+      const int sector = ((i - 1) % sectors_ + sectors_) % sectors_;
+      if (i > first && next - before > smallest_share)
+        shares.push_back({ring * sectors_ + sector, next - before});
       before = next;
     }
   }
