@@ -106,7 +106,7 @@ std::vector<double> ring_edges(const VolumeOptions& options) {
 }
 
 Eigen::Vector2d ring_centre(const VolumeOptions& options) {
-  const Eigen::Vector2d centre{options.center[0], options.center[1]};
+  Eigen::Vector2d centre{options.center[0], options.center[1]};
   if (!centre.allFinite()) throw bad_input({"--center"}, "not a point", "finite numbers", "others");
   return centre;
 }
