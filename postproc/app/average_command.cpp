@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <atomic>
 #include <memory>
+#include <thread>
 
 #include "app/commands.h"
 #include "app/input_options.h"
@@ -9,6 +12,8 @@
 #include "app/table_outputs.h"
 #include "app/volume_options.h"
 #include "averaging/block_errors.h"
+#include "averaging/ordered_sums.h"
+#include "averaging/ranks.h"
 #include "averaging/time_average.h"
 #include "io/error.h"
 #include "io/file_list.h"
@@ -22,6 +27,7 @@ struct AverageOptions {
   std::vector<std::string> fields, out;
   FieldOptions numbers;
   std::size_t error_blocks = 64;
+  int threads = 0;  // 0: as many as the machine has
   bool quiet = false;
 };
 
@@ -49,6 +55,9 @@ void add_options(CLI::App& app, AverageOptions& options) {
          "FILE.csv, .h5 or .vtkhdf (ParaView), or - for CSV on standard output (default); may be given "
          "more than once")
       ->allow_extra_args(false);
+  app.add_option("--threads", options.threads,
+                 "threads, default all of the machine; 1 for each rank under mpirun")
+      ->check(CLI::Range(1, 1024));
   app.add_flag("--quiet", options.quiet, "no progress bar");
 }
 
@@ -60,7 +69,31 @@ FieldList fields_of(const AverageOptions& options) {
     }
     names.emplace_back("contact_angle_histogram");
   }
-  return make_fields(names, options.numbers);
+  FieldOptions numbers = options.numbers;
+  numbers.rings = are_rings(options.volumes);
+  return make_fields(names, numbers);
+}
+
+int threads_of(const AverageOptions& options, const Ranks& ranks) {
+  if (options.threads > 0) return options.threads;
+  return ranks.size() > 1 ? 1 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+// The averager, and what it is to read.
+struct Task {
+  std::unique_ptr<const Averager> averager;
+  FrameSource source;
+  std::int64_t bytes = 0;                 // of all its files
+  std::unique_ptr<TableOutputs> outputs;  // on rank 0
+};
+
+Task task_of(const AverageOptions& options, const Ranks& ranks) {
+  Task task;
+  task.averager = make_averager(options.volumes, fields_of(options));
+  task.source = source_of(options.input, *task.averager);
+  task.bytes = total_size(task.source.files());
+  if (ranks.first()) task.outputs = std::make_unique<TableOutputs>(options.out);
+  return task;
 }
 
 struct Averaged {
@@ -68,20 +101,28 @@ struct Averaged {
   FrameRange range;
 };
 
-Averaged sum_frames(const FrameSource& source, const Averager& averager, const AverageOptions& options) {
-  Progress progress(total_size(source.files()), options.quiet);
-  FrameStream stream(source);
+// The sums of all frames, on rank 0; the others give their part.
+Averaged sum_frames(const Task& task, const AverageOptions& options, const Ranks& ranks) {
+  Progress progress(task.bytes, options.quiet || !ranks.first());
   Averaged averaged{TimeAverage(options.error_blocks), {}};
-  Frame frame;
-  while (stream.next(frame)) {
+  std::atomic<std::int64_t> bytes = 0;
+  const auto read_and_sum = [&](const TakeSums& take) {
+    FrameSource own = task.source;
+    own.selection = ranks.own_part(own.selection);
+    FrameStream stream(own);
+    const auto next = [&](Frame& frame) {
+      const bool some = stream.next(frame);
+      bytes = stream.bytes_read();
+      return some;
+    };
+    sum_in_order(next, *task.averager, threads_of(options, ranks), take);
+  };
+  ranks.gather_in_order(read_and_sum, [&](const FrameSums& frame) {
     if (averaged.sums.frames() == 0) averaged.range.first_step = frame.step;
     averaged.range.last_step = frame.step;
-    averaged.sums.add(averager.frame_sums(frame));
-    progress.update(stream.bytes_read(), averaged.sums.frames());
-  }
-  if (averaged.sums.frames() == 0)
-    throw bad_input({source.files().front()}, "no frame is selected",
-                    "frames that --frames and --steps select", "0");
+    averaged.sums.add(frame.sums);
+    progress.update(bytes, averaged.sums.frames());
+  });
   return averaged;
 }
 
@@ -110,23 +151,33 @@ void add_errors(const Averager& averager, const TimeAverage& sums, Table& table,
                                   : fmt::format("nan: {} are too few for standard errors", blocks));
 }
 
-void average(const AverageOptions& options) {
-  const auto averager = make_averager(options.volumes, fields_of(options));
-  const FrameSource source = source_of(options.input, *averager);
-  TableOutputs outputs(options.out);
-  const Averaged averaged = sum_frames(source, *averager, options);
+void write(const AverageOptions& options, const Task& task, const Averaged& averaged) {
+  if (averaged.sums.frames() == 0)
+    throw bad_input({task.source.files().front()}, "no frame is selected",
+                    "frames that --frames and --steps select", "0");
   const Rows mean = averaged.sums.mean();
-  Table table = averager->solve(mean);
-  Preamble lines = preamble_of(options, source, averaged);
-  for (const std::string& note : averager->notes(mean)) lines.emplace_back("note", note);
-  if (options.error_blocks > 0) add_errors(*averager, averaged.sums, table, lines);
-  outputs.commit(lines, table, ring_centre(options.volumes));
+  Table table = task.averager->solve(mean);
+  Preamble lines = preamble_of(options, task.source, averaged);
+  for (const std::string& note : task.averager->notes(mean)) lines.emplace_back("note", note);
+  if (options.error_blocks > 0) add_errors(*task.averager, averaged.sums, table, lines);
+  task.outputs->commit(lines, table, ring_centre(options.volumes));
+}
+
+void average(const AverageOptions& options) {
+  const Ranks ranks;
+  Task task;
+  ranks.agree([&] { task = task_of(options, ranks); });
+  const Averaged averaged = sum_frames(task, options, ranks);
+  ranks.agree([&] {
+    if (ranks.first()) write(options, task, averaged);
+  });
 }
 
 }  // namespace
 
 void add_average_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("average", "fields over rings from particle and contact dumps");
+  CLI::App* app = program.add_subcommand(
+      "average", "fields over rings, sectors or rectangles from particle and contact dumps");
   auto options = std::make_shared<AverageOptions>();
   add_options(*app, *options);
   app->callback([options] { average(*options); });

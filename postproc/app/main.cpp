@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "averaging/ranks.h"
 #include "io/error.h"
 
 namespace {
@@ -18,13 +19,21 @@ constexpr int exit_done = 0;
 constexpr int exit_failed = 1;
 constexpr int exit_bad_input = 2;
 
+// Ranks agree on an error, and rank 0 tells it: mpirun would cut it short if another one ended with its code.
 int complain(std::string message, int code) {
+  if (mikromakro::launched_rank() > 0) return exit_done;
   std::replace(message.begin(), message.end(), '\n', ' ');
   fmt::print(stderr, "mikromakro: {}\n", message);
   return code;
 }
 
+// Under mpirun only rank 0 does what cannot be shared out.
+bool idle(int argc, char** argv) {
+  return mikromakro::launched_rank() > 0 && (argc < 2 || std::string(argv[1]) != "average");
+}
+
 int run(int argc, char** argv) {
+  if (idle(argc, argv)) return exit_done;
   CLI::App program("Continuum fields from discs and contacts.", "mikromakro");
   program.set_version_flag("--version", "mikromakro " MIKROMAKRO_VERSION);
   program.require_subcommand(1);

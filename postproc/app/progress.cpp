@@ -24,8 +24,8 @@ void Progress::update(std::int64_t bytes, std::int64_t frames) {
   const double seconds = std::chrono::duration<double>(now - begin_).count();
   const double left = part > 0 ? seconds * (1 - part) / part : 0;
   const int filled = static_cast<int>(20 * part);
-  fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {:3.0f} % {} frames {:.0f} MB/s {:.0f} s left ", "", filled, "",
-             20 - filled, 100 * part, frames, 1e-6 * static_cast<double>(bytes) / seconds, left);
+  fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {:3.0f} % {} frames, {:.1f} frames/s, {:.0f} s left ", "", filled,
+             "", 20 - filled, 100 * part, frames, static_cast<double>(frames) / seconds, left);
   std::fflush(stderr);
 }
 

@@ -5,7 +5,9 @@
 
 #include <cmath>
 
+#include "averaging/grid_volumes.h"
 #include "averaging/ring_volumes.h"
+#include "averaging/sector_volumes.h"
 #include "io/error.h"
 
 namespace mikromakro {
@@ -17,17 +19,80 @@ Branch branch_of(const std::string& name) {
   throw bad_input({"--branch"}, "unknown branch vector", "radius or contact", in_quotes(name));
 }
 
+constexpr double most_volumes = 1e6;
+
+int count_of(double count, std::string_view option, std::string_view what) {
+  if (count != std::floor(count) || count < 1 || count > most_volumes)
+    throw bad_input({option}, fmt::format("not a number of {}", what), "a whole number N, 1 to 1000000",
+                    fmt::format("{}", count));
+  return static_cast<int>(count);
+}
+
+void check_total(double volumes, std::string_view option) {
+  if (volumes > most_volumes)
+    throw bad_input({option}, "too many volumes", "1000000 or fewer", fmt::format("{}", volumes));
+}
+
+std::unique_ptr<const Volumes> grid_of(const VolumeOptions& options) {
+  const auto& grid = options.grid;
+  const int columns = count_of(grid[2], "--grid", "columns");
+  const int rows = count_of(grid[5], "--grid", "rows");
+  check_total(grid[2] * grid[5], "--grid");
+  return std::make_unique<const GridVolumes>(equal_grid_edges(grid[0], grid[1], columns, "--grid"),
+                                             equal_grid_edges(grid[3], grid[4], rows, "--grid"),
+                                             options.height);
+}
+
+std::unique_ptr<const Volumes> box_of(const VolumeOptions& options) {
+  const auto& box = options.box;
+  return std::make_unique<const GridVolumes>(equal_grid_edges(box[0], box[1], 1, "--box"),
+                                             equal_grid_edges(box[2], box[3], 1, "--box"), options.height);
+}
+
+// Exactly one kind of volumes, and sectors of rings only.
+void check_choice(const VolumeOptions& options) {
+  std::vector<std::string_view> given;
+  if (!options.rings.empty()) given.emplace_back("--rings");
+  if (!options.edges.empty()) given.emplace_back("--edges");
+  if (!options.grid.empty()) given.emplace_back("--grid");
+  if (!options.box.empty()) given.emplace_back("--box");
+  if (given.size() != 1)
+    throw bad_input({"--rings"}, "the volumes are not clear", "one of --rings, --edges, --grid, --box",
+                    given.empty() ? "none" : fmt::format("{}", fmt::join(given, " ")));
+  if (options.sectors > 0 && (!options.grid.empty() || !options.box.empty()))
+    throw bad_input({"--sectors"}, "only rings have sectors", "--rings or --edges", std::string(given[0]));
+}
+
+std::unique_ptr<const Volumes> volumes_of(const VolumeOptions& options) {
+  check_choice(options);
+  if (!options.grid.empty()) return grid_of(options);
+  if (!options.box.empty()) return box_of(options);
+  auto rings = std::make_unique<const RingVolumes>(ring_centre(options), ring_edges(options), options.height);
+  if (options.sectors == 0) return rings;
+  check_total(static_cast<double>(rings->count()) * options.sectors, "--sectors");
+  return std::make_unique<const SectorVolumes>(std::move(rings), options.sectors);
+}
+
 }  // namespace
 
 void add_volume_options(CLI::App& app, VolumeOptions& options) {
   app.add_option("--rings", options.rings, "RMIN RMAX N: N equal rings (m)")->expected(3);
   app.add_option("--center", options.center, "X Y: centre of the rings (m), default 0 0")->expected(2);
   app.add_option("--edges", options.edges, "R0,R1,...: own radii of the rings (m)")->delimiter(',');
+  app.add_option("--sectors", options.sectors, "M: each ring is divided into M equal sectors")
+      ->check(CLI::Range(1, static_cast<int>(most_volumes)));
+  app.add_option("--grid", options.grid, "XMIN XMAX NX YMIN YMAX NY: NX by NY equal rectangles (m)")
+      ->expected(6);
+  app.add_option("--box", options.box, "XMIN XMAX YMIN YMAX: one rectangle (m)")->expected(4);
   app.add_option("--weight", options.weight, "sliced (area of the disc in the volume, default) or centre");
   app.add_option("--height", options.height, "thickness of the discs (m), default 1");
   app.add_option("--bulk-types", options.bulk_types, "types that are averaged, default all")->delimiter(',');
   app.add_option("--branch", options.branch,
                  "branch vector: radius (a_p n, default) or contact (to the contact point)");
+}
+
+bool are_rings(const VolumeOptions& options) {
+  return options.grid.empty() && options.box.empty() && options.sectors == 0;
 }
 
 std::vector<double> ring_edges(const VolumeOptions& options) {
@@ -36,36 +101,32 @@ std::vector<double> ring_edges(const VolumeOptions& options) {
                     options.rings.empty() ? "none" : "both");
   }
   if (!options.edges.empty()) return options.edges;
-  constexpr double most_rings = 1e6;
-  const double count = options.rings[2];
-  if (count != std::floor(count) || count < 1 || count > most_rings)
-    throw bad_input({"--rings"}, "not a number of rings", "a whole number N, 1 to 1000000",
-                    fmt::format("{}", count));
-  return equal_ring_edges(options.rings[0], options.rings[1], static_cast<int>(count));
+  const int count = count_of(options.rings[2], "--rings", "rings");
+  return equal_ring_edges(options.rings[0], options.rings[1], count);
 }
 
 Eigen::Vector2d ring_centre(const VolumeOptions& options) {
-  const Eigen::Vector2d centre{options.center[0], options.center[1]};
+  Eigen::Vector2d centre{options.center[0], options.center[1]};
   if (!centre.allFinite()) throw bad_input({"--center"}, "not a point", "finite numbers", "others");
   return centre;
 }
 
 std::unique_ptr<const Averager> make_averager(const VolumeOptions& options, FieldList fields) {
   const AveragingOptions averaging{options.bulk_types, branch_of(options.branch)};
-  auto volumes =
-      std::make_unique<const RingVolumes>(ring_centre(options), ring_edges(options), options.height);
-  return std::make_unique<const Averager>(std::move(volumes), make_weight(options.weight), std::move(fields),
+  return std::make_unique<const Averager>(volumes_of(options), make_weight(options.weight), std::move(fields),
                                           averaging);
 }
 
 void describe_volumes(const VolumeOptions& options, Preamble& lines) {
-  if (options.edges.empty()) {
-    lines.emplace_back("rings",
-                       fmt::format("{} {} {}", options.rings[0], options.rings[1], options.rings[2]));
-  } else {
-    lines.emplace_back("edges", fmt::format("{}", fmt::join(options.edges, ",")));
-  }
-  lines.emplace_back("center", fmt::format("{} {}", options.center[0], options.center[1]));
+  const auto add = [&](std::string_view name, const std::vector<double>& numbers, std::string_view between) {
+    if (!numbers.empty()) lines.emplace_back(name, fmt::format("{}", fmt::join(numbers, between)));
+  };
+  add("rings", options.rings, " ");
+  add("edges", options.edges, ",");
+  add("grid", options.grid, " ");
+  add("box", options.box, " ");
+  if (options.sectors > 0) lines.emplace_back("sectors", fmt::format("{}", options.sectors));
+  if (options.grid.empty() && options.box.empty()) add("center", options.center, " ");
   lines.emplace_back("weight", options.weight);
   lines.emplace_back("branch", options.branch);
   lines.emplace_back("height", fmt::format("{} m", options.height));

@@ -12,7 +12,8 @@
 namespace mikromakro {
 
 struct VolumeOptions {
-  std::vector<double> rings, center = {0, 0}, edges;
+  std::vector<double> rings, center = {0, 0}, edges, grid, box;
+  int sectors = 0;  ///< 0: whole rings
   std::string weight = "sliced", branch = "radius";
   double height = 1;
   std::vector<int> bulk_types;
@@ -20,10 +21,13 @@ struct VolumeOptions {
 
 void add_volume_options(CLI::App& app, VolumeOptions& options);
 
+/// Whether the volumes are a sequence of whole rings, which some fields need.
+bool are_rings(const VolumeOptions& options);
+
 /// The averager that the options ask for. Throws on options that contradict each other or have no meaning.
 std::unique_ptr<const Averager> make_averager(const VolumeOptions& options, FieldList fields);
 
-/// The radii of the rings' edges, of --rings or --edges (m).
+/// The radii of the rings' edges, of --rings or --edges (m). Throws where the volumes are rectangles.
 std::vector<double> ring_edges(const VolumeOptions& options);
 Eigen::Vector2d ring_centre(const VolumeOptions& options);
 

@@ -22,6 +22,14 @@ inline double segment_area(double theta) {
   return x * y / 12 * bracket;
 }
 
+/// Half of the angle of the circle's arc that lies within the disc, in [0, pi]. Never throws.
+inline double circle_half_angle(double d, double a, double R) {
+  const double gap = d - R;
+  if (std::abs(gap) >= a) return 0;
+  const double circle_side = std::max(d - a + R, 0.0);
+  return 2 * std::atan2(std::sqrt((a - gap) * (a + gap)), std::sqrt((a + d + R) * circle_side));
+}
+
 /// Area of the intersection of a disc of radius a > 0, whose centre is d >= 0 away from the origin, with the
 /// circle of radius R >= 0 around the origin; in the unit of a^2. Never throws.
 ///
@@ -39,7 +47,7 @@ inline double disc_circle_area(double d, double a, double R) {
   const double circle_side = std::max(d - a + R, 0.0);  // 0: the circle lies within the disc, beta = pi
   const double perimeter = a + d + R;
   const double alpha = 2 * std::atan2(std::sqrt(near_side * circle_side), std::sqrt(perimeter * far_side));
-  const double beta = 2 * std::atan2(std::sqrt(near_side * far_side), std::sqrt(perimeter * circle_side));
+  const double beta = circle_half_angle(d, a, R);
   return a * a * segment_area(alpha) + R * R * segment_area(beta);
 }
 

@@ -23,6 +23,9 @@ class RingVolumes : public Volumes {
   std::vector<Column> columns() const override;
   Rows coordinates() const override;
 
+  const Eigen::Vector2d& centre() const { return centre_; }
+  const std::vector<double>& edges() const { return edges_; }
+
  private:
   Eigen::Vector2d centre_;
   std::vector<double> edges_;

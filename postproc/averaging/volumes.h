@@ -15,6 +15,9 @@ struct Share {
   double weight;
 };
 
+/// Parts of a disc below this are rounding and left out where areas come as differences of areas at corners.
+inline constexpr double smallest_share = 4e-15;
+
 /// A list of volumes of thickness h, each with an area, and the basis in which tensors are written.
 class Volumes {
  public:
@@ -35,7 +38,7 @@ class Volumes {
   /// Middle radius of each ring, ascending (m); empty where the volumes are not a sequence of rings.
   virtual Eigen::ArrayXd radii() const { return {}; }
 
-  /// Appends the volumes that the disc touches with the part of its area in each, in ascending order.
+  /// Appends the volumes that the disc touches, each once, with the part of its area in each.
   virtual void slice(const Eigen::Vector2d& centre, double radius, std::vector<Share>& shares) const = 0;
   /// The volume that holds the point, -1 for none.
   virtual int find(const Eigen::Vector2d& point) const = 0;

@@ -40,6 +40,10 @@ template <typename Made>
 FieldPointer with_stiffness(const FieldOptions& options) {
   return std::make_unique<const Made>(options.normal_stiffness);
 }
+template <typename Made>
+FieldPointer over_rings(const FieldOptions& options) {
+  return std::make_unique<const Made>(options.rings);
+}
 FieldPointer sliding(const FieldOptions& options) {
   return std::make_unique<const SlidingContacts>(options.friction_coefficient);
 }
@@ -72,10 +76,10 @@ constexpr Entry entries[] = {
     {plain<ElasticStrain>},
     {plain<CoupleStress>},
     {with_stiffness<Curvature>},
-    {plain<VelocityGradient>},
+    {over_rings<VelocityGradient>},
     {with_stiffness<Stiffness>},
     {plain<RotationalStiffness>},
-    {plain<VelocityGradientFit>, false},
+    {over_rings<VelocityGradientFit>, false},
     {axes_of<stress_axes>, false},
     {axes_of<strain_axes>, false},
     {axes_of<fabric_axes>, false},

@@ -15,6 +15,7 @@ struct FieldOptions {
   double normal_stiffness = 0;      ///< k_n, N/m
   double friction_coefficient = 0;  ///< mu
   int histogram_bins = 0;           ///< of the contact angles
+  bool rings = true;                ///< whether the volumes are a sequence of whole rings
 };
 
 /// A field, and whether its columns are wanted or only what other fields make of them.

@@ -12,10 +12,16 @@ namespace mikromakro {
 /// no rings.
 class VelocityGradient : public Field {
  public:
+  explicit VelocityGradient(bool over_rings = true) : over_rings_(over_rings) {}
+
   std::string_view name() const override { return "velocity_gradient"; }
   std::vector<Column> columns(const Axes& axes) const override;
   std::vector<std::string_view> sources() const override { return {"velocity", "spin"}; }
+  std::string_view missing_option() const override { return over_rings_ ? "" : "--rings without --sectors"; }
   void solve(const VolumeData& volumes, const ConstRowsRef& numbers, RowsRef columns) const override;
+
+ private:
+  bool over_rings_;
 };
 
 /// dv/dr at each point as above; r ascends.

@@ -10,10 +10,16 @@ namespace mikromakro {
 /// rings or no decaying exponential fits.
 class VelocityGradientFit : public Field {
  public:
+  explicit VelocityGradientFit(bool over_rings = true) : over_rings_(over_rings) {}
+
   std::string_view name() const override { return "velocity_gradient_fit"; }
   std::vector<Column> columns(const Axes& axes) const override;
   std::vector<std::string_view> sources() const override { return {"velocity"}; }
+  std::string_view missing_option() const override { return over_rings_ ? "" : "--rings without --sectors"; }
   void solve(const VolumeData& volumes, const ConstRowsRef& numbers, RowsRef columns) const override;
+
+ private:
+  bool over_rings_;
 };
 
 }  // namespace mikromakro

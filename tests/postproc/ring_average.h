@@ -1,4 +1,4 @@
-// Averages of one frame over rings, by column names: what most tests look at.
+// Averages of one frame over rings or other volumes, by column names: what most tests look at.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,30 +14,28 @@
 
 namespace mikromakro {
 
-struct RingSetup {
-  std::vector<double> edges;
-  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-  double height = 1;
+/// What is averaged, and how.
+struct AverageSetup {
   std::string weight = "sliced";
   AveragingOptions options = {};
   std::vector<std::string> fields = {};
   FieldOptions field_options = {};
 };
 
-class RingAverage {
+/// Averages over any volumes.
+class VolumeAverage {
  public:
-  RingAverage(const Frame& frame, const RingSetup& setup) {
-    const Averager averager(std::make_unique<const RingVolumes>(setup.centre, setup.edges, setup.height),
-                            make_weight(setup.weight), make_fields(setup.fields, setup.field_options),
-                            setup.options);
+  VolumeAverage(const Frame& frame, std::unique_ptr<const Volumes> volumes, const AverageSetup& setup) {
+    const Averager averager(std::move(volumes), make_weight(setup.weight),
+                            make_fields(setup.fields, setup.field_options), setup.options);
     const Rows sums = averager.frame_sums(frame);
     table_ = averager.solve(sums);
     notes_ = averager.notes(sums);
   }
 
-  double at(const std::string& column, int ring = 0) const {
+  double at(const std::string& column, int volume = 0) const {
     for (std::size_t i = 0; i < table_.columns.size(); ++i)
-      if (table_.columns[i].name == column) return table_.rows(ring, static_cast<Eigen::Index>(i));
+      if (table_.columns[i].name == column) return table_.rows(volume, static_cast<Eigen::Index>(i));
     ADD_FAILURE() << "no column " << column;
     return 0;
   }
@@ -48,6 +46,23 @@ class RingAverage {
  private:
   Table table_;
   std::vector<std::string> notes_;
+};
+
+struct RingSetup {
+  std::vector<double> edges;
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  double height = 1;
+  std::string weight = "sliced";
+  AveragingOptions options = {};
+  std::vector<std::string> fields = {};
+  FieldOptions field_options = {};
+};
+
+class RingAverage : public VolumeAverage {
+ public:
+  RingAverage(const Frame& frame, const RingSetup& setup)
+      : VolumeAverage(frame, std::make_unique<const RingVolumes>(setup.centre, setup.edges, setup.height),
+                      {setup.weight, setup.options, setup.fields, setup.field_options}) {}
 };
 
 inline Particle make_disc(std::int64_t id, const Eigen::Vector2d& position, double radius, int type = 1) {

@@ -12,8 +12,9 @@
 namespace mikromakro {
 namespace {
 
-const std::string good =
-    "--particles good/particles.dump --contacts good/contacts.dump --rings 0 4 1 --bulk-types 1 ";
+const std::string good_files =
+    "--particles good/particles.dump --contacts good/contacts.dump --bulk-types 1 ";
+const std::string good = good_files + "--rings 0 4 1 ";
 
 // The row of a table with one ring, by column names; 17 digits are printed, so that tests compare to
 // rounding.
@@ -65,6 +66,36 @@ TEST(Average, GoodPairAsWorkedByHand) {
   EXPECT_NEAR(row["sigma_rr"], -13.5 / volume, rounding);
   EXPECT_NEAR(row["sigma_phir"], 1 / volume, rounding);
   EXPECT_NEAR(row["v_phi"], 8.0 / 9, rounding);
+}
+
+// The same discs in one rectangle of 8 by 8: all normals are along x there, so sigma_xx = -13.5/64, sigma_yx
+// = 1/64, F_xx = pi/64; nu = 9 pi/16/64. v_y of 7 and 3 is 1 and -1, then 3 and -1; v_x of 3 is 0.5, of 20 4:
+//   v_x = (0.5/4 + 4/16)/(9/16), v_y = ((1 - 1)/4 + (3 - 1)/4)/2/(9/16)
+TEST(Average, GoodPairInABoxAsWorkedByHand) {
+  const Ran ran = run_program("average " + good_files + "--box -4 4 -4 4");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("\nx_min,x_max,y_min,y_max,x,y,nu,nu_1,nu_2,nu_3,coordination,v_x,v_y,spin,"
+                         "F_xx,F_xy,F_yx,F_yy,sigma_xx,sigma_xy,sigma_yx,sigma_yy,"
+                         "sigma_kin_xx,sigma_kin_xy,sigma_kin_yx,sigma_kin_yy,"
+                         "eps_xx,eps_xy,eps_yx,eps_yy,M_zx,M_zy,kappa_zx,kappa_zy,E,G,mu_c"),
+            std::string::npos)
+      << ran.out;
+  auto row = only_row(ran.out);
+  constexpr double rounding = 1e-14;
+  EXPECT_NEAR(row["nu"], 9 * std::numbers::pi / 1024, rounding);
+  EXPECT_NEAR(row["F_xx"], std::numbers::pi / 64, rounding);
+  EXPECT_NEAR(row["sigma_xx"], -13.5 / 64, rounding);
+  EXPECT_NEAR(row["sigma_yx"], 1.0 / 64, rounding);
+  EXPECT_NEAR(row["v_x"], 2.0 / 3, rounding);
+  EXPECT_NEAR(row["v_y"], 4.0 / 9, rounding);
+}
+
+// Two sectors of the ring: disc 20 at (0, -2) is in the lower one, 7 and 3 on the x axis are halved.
+TEST(Average, GoodPairInSectorsAsWorkedByHand) {
+  const Ran ran = run_program("average " + good + "--sectors 2");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("\nr_inner,r_outer,r,phi_begin,phi_end,phi,nu,"), std::string::npos);
+  EXPECT_NEAR(only_row(ran.out)["nu"], 1.0 / 32, 1e-14);  // (1/4 + 1/4)/2 of 8
 }
 
 TEST(Average, ColumnsStandInThePromisedOrder) {

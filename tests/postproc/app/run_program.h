@@ -16,14 +16,25 @@ struct Ran {
   std::string err;
 };
 
-/// `mikromakro ARGUMENTS` in the given folder, arguments as a shell takes them.
-inline Ran run_program(const std::string& arguments, const std::string& folder = TEST_DATA) {
+/// `LAUNCHER mikromakro ARGUMENTS` in the given folder, arguments as a shell takes them.
+inline Ran launch_program(const std::string& launcher, const std::string& arguments,
+                          const std::string& folder) {
   const Folder outputs;
-  const std::string command = "cd '" + folder + "' && '" MIKROMAKRO_PROGRAM "' " + arguments + " >'" +
-                              outputs.path("out") + "' 2>'" + outputs.path("err") + "' </dev/null";
+  const std::string command = "cd '" + folder + "' && " + launcher + " '" MIKROMAKRO_PROGRAM "' " +
+                              arguments + " >'" + outputs.path("out") + "' 2>'" + outputs.path("err") +
+                              "' </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(outputs.path("out")),
           read_text(outputs.path("err"))};
+}
+
+inline Ran run_program(const std::string& arguments, const std::string& folder = TEST_DATA) {
+  return launch_program("", arguments, folder);
+}
+
+/// The same under mpirun on so many ranks, a minute at most.
+inline Ran run_on_ranks(int ranks, const std::string& arguments, const std::string& folder = TEST_DATA) {
+  return launch_program("timeout 60 " MIKROMAKRO_MPIRUN " -n " + std::to_string(ranks), arguments, folder);
 }
 
 }  // namespace mikromakro

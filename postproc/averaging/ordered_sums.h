@@ -1,0 +1,29 @@
+// Sums of frames on several threads, in the order of the frames.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "averaging/averager.h"
+
+namespace mikromakro {
+
+/// What is summed over one frame.
+struct FrameSums {
+  std::int64_t step = 0;
+  Rows sums;
+};
+
+/// Fills in the next frame; false when there is none. Never called by two threads at once.
+using NextFrame = std::function<bool(Frame&)>;
+/// Takes the sums of a frame.
+using TakeSums = std::function<void(const FrameSums&)>;
+
+/// Takes frame after frame from `next`, sums each by `averager` and gives the sums to `take`, in the order of
+/// the frames and from the calling thread only: the result does not depend on `threads` (>= 1, the calling
+/// one included), to the last bit. Frames are read by one thread at a time while the others sum; at most
+/// 2 threads + 2 frames are under way, so that memory does not grow with their number. Passes on what `next`
+/// throws, after all earlier frames were taken, and what `take` throws.
+void sum_in_order(const NextFrame& next, const Averager& averager, int threads, const TakeSums& take);
+
+}  // namespace mikromakro

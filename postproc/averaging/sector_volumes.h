@@ -1,0 +1,38 @@
+// Rings around a centre, divided into sectors.
+#pragma once
+
+#include <memory>
+
+#include "averaging/ring_volumes.h"
+
+namespace mikromakro {
+
+/// Each ring of `rings` divided at the angles 2 pi m/M, m = 0 ... M, counter-clockwise from the x direction;
+/// number k M + m in ring k. The polar basis of the rings. Throws (bad input) unless M >= 1.
+class SectorVolumes : public Volumes {
+ public:
+  SectorVolumes(std::unique_ptr<const RingVolumes> rings, int sectors);
+
+  int count() const override { return rings_->count() * sectors_; }
+  double height() const override { return rings_->height(); }
+  Eigen::ArrayXd measure() const override;
+  Axes axes() const override { return rings_->axes(); }
+  Eigen::Matrix2d basis(const Eigen::Vector2d& point) const override { return rings_->basis(point); }
+  void slice(const Eigen::Vector2d& centre, double radius, std::vector<Share>& shares) const override;
+  int find(const Eigen::Vector2d& point) const override;
+  std::vector<Column> columns() const override;
+  Rows coordinates() const override;
+
+ private:
+  struct SectorRange {
+    int first;
+    int last;
+  };
+  double angle(int sector) const;
+  SectorRange sectors_near(double direction, double distance, double radius) const;
+
+  std::unique_ptr<const RingVolumes> rings_;
+  int sectors_;
+};
+
+}  // namespace mikromakro
