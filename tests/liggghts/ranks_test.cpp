@@ -48,8 +48,9 @@ Table ring_averages(const Result& result) {
   }
   std::vector<double> edges;
   for (int k = 0; k <= 8; ++k) edges.push_back(0.01 * k);
-  const Averager averager(std::make_unique<const RingVolumes>(Eigen::Vector2d::Zero(), edges, 1.0),
-                          make_weight("sliced"), make_fields({}), {});
+  const Averager averager(
+      std::make_unique<const RingVolumes>(Eigen::Vector2d::Zero(), edges, 1.0), make_weight("sliced"),
+      make_fields({"solid_fraction", "coordination", "velocity", "spin", "fabric", "stress"}), {});
   return averager.solve(averager.frame_sums(frame));
 }
 
