@@ -31,7 +31,7 @@ struct Bar {
 };
 
 void fill(Canvas& canvas, const Bar& bar, const ColourScale& colours, bool blocks) {
-  const int pieces = blocks ? static_cast<int>(bar.range.high - bar.range.low + 0.5) : 256;
+  const int pieces = blocks ? static_cast<int>(std::lround(bar.range.high - bar.range.low)) : 256;
   const double step = (bar.range.high - bar.range.low) / pieces;
   for (int i = 0; i < pieces; ++i) {
     const double low = bar.range.low + i * step;
