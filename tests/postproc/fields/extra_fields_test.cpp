@@ -33,6 +33,7 @@ double size_correction(const std::vector<double>& radii, const std::string& colu
 std::vector<double> uniform_radii(double smallest, double largest) {
   constexpr int parts = 2000;
   std::vector<double> radii;
+  radii.reserve(parts);
   for (int i = 0; i < parts; ++i) radii.push_back(smallest + (largest - smallest) * (i + 0.5) / parts);
   return radii;
 }
