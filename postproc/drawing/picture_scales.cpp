@@ -7,7 +7,7 @@ namespace mikromakro {
 namespace {
 
 double percentile(std::vector<double>& values, double part) {
-  const auto place = static_cast<std::size_t>(part * static_cast<double>(values.size() - 1) + 0.5);
+  const auto place = static_cast<std::size_t>(std::lround(part * static_cast<double>(values.size() - 1)));
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
   return values[place];
 }

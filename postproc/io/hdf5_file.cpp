@@ -221,6 +221,7 @@ std::vector<std::string> Hdf5File::text_attribute(const std::string& path, const
   if (H5Aread(id.get(), type.get(), texts.data()) < 0)
     cannot_read(fmt::format("{}:{}@{}", file_, path, name));
   std::vector<std::string> values;
+  values.reserve(texts.size());
   for (const char* text : texts) values.emplace_back(text != nullptr ? text : "");
   H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, texts.data());
   return values;
