@@ -1,6 +1,5 @@
 #include "compute_contact_disc.h"
 
-#include "atom.h"
 #include "error.h"
 #include "pair_gran_disc.h"
 #include "update.h"
@@ -13,7 +12,7 @@ ComputeContactDisc::ComputeContactDisc(LAMMPS* engine, int& iarg, int narg, char
     : Compute(engine, iarg, narg, arg) {
   if (narg != iarg) error->all(FLERR, "compute contact/disc: expected no arguments after the style");
   local_flag = 1;
-  size_local_cols = columns;
+  size_local_cols = contact_columns;
   size_local_rows = 0;
   array_local = nullptr;
 }
@@ -26,22 +25,12 @@ void ComputeContactDisc::init() {
 
 void ComputeContactDisc::compute_local() {
   invoked_local = update->ntimestep;
-  const PairGranDisc* law = active_disc_law(*lmp);
-  const auto* contacts = law ? law->applied_contacts() : nullptr;
-  if (!contacts) {
+  rows_.clear();
+  if (!append_contact_rows(*lmp, groupbit, rows_)) {
     error->all(FLERR,
                "compute contact/disc: the forces of this step were not recorded; it gives rows to dumps in "
                "steps that "
                "the engine has scheduled for output");
-    return;
-  }
-  rows_.clear();
-  for (const auto& c : *contacts) {
-    if (!(atom->mask[c.i] & groupbit) || !(atom->mask[c.j] & groupbit)) continue;
-    // A contact across a rank boundary is evaluated on both sides; the side that owns the larger id reports
-    // it.
-    if (c.j >= atom->nlocal && atom->tag[c.i] <= atom->tag[c.j]) continue;
-    rows_.push_back(row_of(c));
   }
   row_pointers_.clear();
   for (auto& row : rows_) row_pointers_.push_back(row.data());
@@ -49,28 +38,8 @@ void ComputeContactDisc::compute_local() {
   size_local_rows = static_cast<int>(rows_.size());
 }
 
-ComputeContactDisc::Row ComputeContactDisc::row_of(const AppliedContact& c) const {
-  const double *x_1 = atom->x[c.i], *x_2 = atom->x[c.j];
-  return {static_cast<double>(atom->tag[c.i]),
-          static_cast<double>(atom->tag[c.j]),
-          x_1[0],
-          x_1[1],
-          x_2[0],
-          x_2[1],
-          c.n_x,
-          c.n_y,
-          c.overlap,
-          -c.force.f_n * c.n_x - c.force.f_t * c.n_y,
-          -c.force.f_n * c.n_y + c.force.f_t * c.n_x,
-          c.force.f_n,
-          c.force.f_t,
-          c.force.xi,
-          c.v_n,
-          c.v_t};
-}
-
 double ComputeContactDisc::memory_usage() {
-  return static_cast<double>(rows_.capacity() * sizeof(Row));
+  return static_cast<double>(rows_.capacity() * sizeof(ContactRow));
 }
 
 }  // namespace mikromakro::liggghts

@@ -117,7 +117,7 @@ void PairGranDisc::init_granular() {
   read_material_constants();
   check_time_step();
   predicted_ = integrators_predict_velocities(*modify);
-  recorder_defined_ = modify->find_compute_style_strict("contact/disc", 0) != nullptr;
+  schedule_.look_up(*lmp);
   recorded_step_ = -1;
 }
 
@@ -160,20 +160,13 @@ const std::vector<AppliedContact>* PairGranDisc::applied_contacts() const {
   return recorded_step_ == update->ntimestep ? &applied_ : nullptr;
 }
 
-/// Contacts are kept for output only in steps that can have output: the set-up, the last step, and those that
-/// the engine has scheduled for thermo, dumps or restarts.
-bool PairGranDisc::recording_due() const {
-  return recorder_defined_ &&
-         (update->setupflag || update->ntimestep == update->laststep || update->ntimestep == output->next);
-}
-
 void PairGranDisc::compute_force(PairGran* pair, int eflag, int vflag, int addflag) {
   if (eflag || vflag) {
     pair->ev_setup(eflag, vflag);
   } else {
     pair->evflag = pair->vflag_fdotr = 0;
   }
-  recording_ = pair->computeflag() && recording_due();
+  recording_ = pair->computeflag() && schedule_.due(*update, *output);
   if (recording_) applied_.clear();
   if (atom->nlocal > 0) {
     const bool observed = recording_ || pair->evflag || addflag;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "contact_rows.h"
 #include "granular_pair_style.h"
 #include "physics/contact_batch.h"
 #include "physics/contact_law.h"
@@ -74,7 +75,6 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   void read_material_constants();
   std::vector<double> material_constant(const char* name, const char* symbol) const;
   void check_time_step() const;
-  bool recording_due() const;
   void choose_loops();
   template <physics::Effects effects>
   void use_loops_of();
@@ -122,7 +122,7 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   Loop observed_loop_ = nullptr;
   bool predicted_ =
       false;  // the atoms carry velocities that were predicted for the instant of their positions
-  bool recorder_defined_ = false;
+  ContactSchedule schedule_;
   bool recording_ = false;
   LAMMPS_NS::bigint recorded_step_ = -1;
   std::vector<AppliedContact> applied_;
