@@ -1,6 +1,7 @@
 #include "engine.h"
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <array>
 #include <cstring>
@@ -109,7 +110,9 @@ std::map<std::pair<int, int>, Contact> Engine::contacts(const std::string& compu
       std::swap(c.y1, c.y2);
       c.n_x = -c.n_x, c.n_y = -c.n_y, c.f_x = -c.f_x, c.f_y = -c.f_y;
     }
-    contacts[{static_cast<int>(c.id1), static_cast<int>(c.id2)}] = c;
+    const std::pair<int, int> ids = {static_cast<int>(c.id1), static_cast<int>(c.id2)};
+    EXPECT_TRUE(contacts.emplace(ids, c).second)
+        << "two rows for the contact " << ids.first << "-" << ids.second;
   }
   return contacts;
 }
