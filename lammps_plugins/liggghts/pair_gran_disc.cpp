@@ -2,23 +2,30 @@
 
 #include <cstdio>
 #include <cstring>
+#include <string>
 
+#include "arguments.h"
 #include "comm.h"
 #include "compute_pair_gran_local.h"
 #include "domain.h"
-#include "error.h"
 #include "fix_nve_disc.h"
 #include "force.h"
 #include "modify.h"
 #include "output.h"
+#include "time_step_check.h"
 #include "update.h"
 
 namespace mikromakro::liggghts {
 
 using namespace LAMMPS_NS;
+using physics::Normal;
 using physics::Tangential;
 
 namespace {
+
+Normal normal_of(int64_t hash) {
+  return static_cast<int>(hash & 63) == normal_model_hertz ? Normal::hertz : Normal::linear;
+}
 
 Tangential tangential_of(int64_t hash) {
   switch (static_cast<int>((hash >> 6) & 63)) {
@@ -43,6 +50,10 @@ bool integrators_predict_velocities(const Modify& modify) {
   return any;
 }
 
+const char* normal_name(Normal normal) {
+  return normal == Normal::hertz ? "disc/hertz" : "disc/linear";
+}
+
 const char* tangential_name(Tangential tangential) {
   switch (tangential) {
     case Tangential::none:
@@ -57,6 +68,7 @@ const char* tangential_name(Tangential tangential) {
 }  // namespace
 
 PairGranDisc::PairGranDisc(LAMMPS* engine, PairGran* parent, int64_t hash) : Pointers(engine), hash_(hash) {
+  effects_.normal = normal_of(hash);
   effects_.tangential = tangential_of(hash);
   // Spring and slip rate keep their signs when the particles change places, so "0": no sign change between
   // the two copies.
@@ -66,45 +78,49 @@ PairGranDisc::PairGranDisc(LAMMPS* engine, PairGran* parent, int64_t hash) : Poi
   }
 }
 
+std::string PairGranDisc::style() const {
+  return std::string("pair_style gran model ") + normal_name(effects_.normal);
+}
+
+void PairGranDisc::fail(const std::string& what) const {
+  stop(*lmp, style(), what);
+}
+
 void PairGranDisc::require_two_dimensions() const {
-  if (domain->dimension != 2) {
-    error->all(
-        FLERR,
-        "pair_style gran model disc/linear: discs live in two dimensions; put 'dimension 2' before the box");
-  }
-  if (force->newton_pair) {
-    error->all(FLERR, "pair_style gran model disc/linear: needs 'newton off' before the box is created");
-  }
+  if (domain->dimension != 2) fail("discs live in two dimensions; put 'dimension 2' before the box");
+  if (force->newton_pair) fail("needs 'newton off' before the box is created");
+}
+
+bool PairGranDisc::take_switch(Arguments& arguments, const char* key, bool& value) const {
+  if (!arguments.take(key)) return false;
+  const std::string word = arguments.more() ? arguments.word(key) : "nothing";
+  if (word != "on" && word != "off") fail("'" + std::string(key) + "': expected on or off, got " + word);
+  value = word == "on";
+  return true;
 }
 
 void PairGranDisc::settings(int narg, char** arg, LIGGGHTS::IContactHistorySetup* /*history*/) {
   require_two_dimensions();
-  bool tangential_damping = false;
-  for (int k = 0; k < narg; k += 2) {
-    const std::string key = arg[k];
-    const std::string value = k + 1 < narg ? arg[k + 1] : "nothing";
-    if (value != "on" && value != "off") {
-      error->all(
-          FLERR,
-          ("pair_style gran model disc/linear: '" + key + "': expected on or off, got " + value).c_str());
+  bool tangential_damping = false, absolute_damping = true;
+  const bool hertz = effects_.normal == Normal::hertz;
+  Arguments arguments(*lmp, style(), narg, arg);
+  while (arguments.more()) {
+    if (take_switch(arguments, "damping", effects_.normal_dashpot) ||
+        take_switch(arguments, "tangential_damping", tangential_damping) ||
+        take_switch(arguments, "limitForce", effects_.no_attraction) ||
+        take_switch(arguments, "absolute_damping", absolute_damping)) {
+      continue;
     }
-    const bool on = value == "on";
-    if (key == "tangential_damping") {
-      tangential_damping = on;
-    } else if (key == "limitForce") {
-      effects_.no_attraction = on;
-    } else if (key == "absolute_damping") {
-      // Accepted for scripts of the stock law; the disc law knows only absolute damping constants.
-      if (!on)
-        error->all(
-            FLERR,
-            "pair_style gran model disc/linear: has only 'absolute_damping on' (gamman_abs, gammat_abs)");
+    if (hertz && arguments.take("impact_velocity")) {
+      impact_velocity_ = arguments.positive("impact_velocity");
     } else {
-      error->all(FLERR, ("pair_style gran model disc/linear: unknown keyword '" + key +
-                         "'; expected tangential_damping, limitForce or absolute_damping")
-                            .c_str());
+      fail("unknown keyword '" + arguments.word("keyword") +
+           "'; expected damping, tangential_damping, limitForce" +
+           (hertz ? ", absolute_damping or impact_velocity" : " or absolute_damping"));
     }
   }
+  // Accepted for scripts of the stock law; the disc law knows only absolute damping constants.
+  if (!absolute_damping) fail("has only 'absolute_damping on' (gamman_abs, gammat_abs)");
   if (effects_.spring())
     effects_.tangential = tangential_damping ? Tangential::damped_spring : Tangential::spring;
   choose_loops();
@@ -112,35 +128,46 @@ void PairGranDisc::settings(int narg, char** arg, LIGGGHTS::IContactHistorySetup
 
 void PairGranDisc::init_granular() {
   require_two_dimensions();
-  if (force->cg_active())
-    error->all(FLERR, "pair_style gran model disc/linear: works without coarse graining only");
+  if (force->cg_active()) fail("works without coarse graining only");
   read_material_constants();
-  check_time_step();
+  time_step_checked_ = false;
   predicted_ = integrators_predict_velocities(*modify);
   schedule_.look_up(*lmp);
   recorded_step_ = -1;
 }
 
+namespace {
+
+/// What a restart file holds of the settings.
+struct SavedSettings {
+  int64_t hash;
+  double impact_velocity;
+  std::array<int32_t, 4> effects;
+};
+
+}  // namespace
+
 void PairGranDisc::write_restart_settings(FILE* file) {
-  const int flags[2] = {static_cast<int>(effects_.tangential), effects_.no_attraction};
-  std::fwrite(&hash_, sizeof hash_, 1, file);
-  std::fwrite(flags, sizeof flags, 1, file);
+  const SavedSettings settings{hash_,
+                               impact_velocity_,
+                               {static_cast<int>(effects_.tangential), effects_.no_attraction,
+                                static_cast<int>(effects_.normal), effects_.normal_dashpot}};
+  std::fwrite(&settings, sizeof settings, 1, file);
 }
 
 void PairGranDisc::read_restart_settings(FILE* file, int64_t /*hash*/) {
-  int settings[3] = {0, 0, 0};  // the flags; whether they were there
+  SavedSettings settings{};
+  int complete = 0;
   if (comm->me == 0) {
-    int64_t written = -1;
-    settings[2] = std::fread(&written, sizeof written, 1, file) == 1 && written == hash_ &&
-                  std::fread(settings, sizeof(int), 2, file) == 2;
+    complete = std::fread(&settings, sizeof settings, 1, file) == 1 && settings.hash == hash_;
   }
-  MPI_Bcast(settings, 3, MPI_INT, 0, world);
-  if (!settings[2]) {
-    error->all(
-        FLERR,
-        "pair_style gran model disc/linear: the restart file ends inside the settings of the pair style");
-  }
-  effects_ = {static_cast<Tangential>(settings[0]), settings[1] != 0};
+  MPI_Bcast(&settings, sizeof settings, MPI_BYTE, 0, world);
+  MPI_Bcast(&complete, 1, MPI_INT, 0, world);
+  if (!complete) fail("the restart file ends inside the settings of the pair style");
+  const auto& [tangential, no_attraction, normal, normal_dashpot] = settings.effects;
+  effects_ = {static_cast<Tangential>(tangential), no_attraction != 0, static_cast<Normal>(normal),
+              normal_dashpot != 0};
+  impact_velocity_ = settings.impact_velocity;
   choose_loops();
 }
 
@@ -150,7 +177,7 @@ int PairGranDisc::get_history_offset(const std::string name) {
 }
 
 bool PairGranDisc::contact_match(const std::string kind, const std::string model) {
-  if (kind == "normal") return model == "disc/linear";
+  if (kind == "normal") return model == normal_name(effects_.normal);
   if (kind == "tangential") return model == tangential_name(effects_.tangential);
   if (kind == "surface") return model == "default";
   return model == "off";
@@ -165,6 +192,10 @@ void PairGranDisc::compute_force(PairGran* pair, int eflag, int vflag, int addfl
     pair->ev_setup(eflag, vflag);
   } else {
     pair->evflag = pair->vflag_fdotr = 0;
+  }
+  if (!time_step_checked_) {
+    check_time_step(*lmp, *pair->list, style(), {effects_, parameters_, impact_velocity_});
+    time_step_checked_ = true;
   }
   recording_ = pair->computeflag() && schedule_.due(*update, *output);
   if (recording_) applied_.clear();

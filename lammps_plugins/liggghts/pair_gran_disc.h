@@ -1,5 +1,5 @@
-// pair_style gran model disc/linear tangential off|disc/viscous|disc/cundall_strack: the adapter between
-// LIGGGHTS and the contact law of physics/contact_law.h. It parses the settings, fetches the material
+// pair_style gran model disc/linear|disc/hertz tangential off|disc/viscous|disc/cundall_strack: the adapter
+// between LIGGGHTS and the contact law of physics/contact_law.h. It parses the settings, fetches the material
 // constants, loops over the pairs of the engine's neighbour list in two dimensions and adds forces and
 // torques; the arithmetic of the law is not here.
 #pragma once
@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "contact_rows.h"
@@ -18,8 +19,11 @@
 
 namespace mikromakro::liggghts {
 
+class Arguments;
+
 /// Ids under which the factories of LIGGGHTS know our models: 6 bits; the engine's own are below 32.
 inline constexpr int normal_model_linear = 32;
+inline constexpr int normal_model_hertz = 33;
 inline constexpr int tangential_model_viscous = 32;
 inline constexpr int tangential_model_cundall_strack = 33;
 
@@ -58,7 +62,7 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   void compute_force(LAMMPS_NS::PairGran* pair, int eflag, int vflag, int addflag) override;
 
   int get_history_offset(const std::string name) override;
-  double stressStrainExponent() override { return 1.0; }
+  double stressStrainExponent() override { return effects_.normal == physics::Normal::hertz ? 1.5 : 1.0; }
   int64_t hashcode() override { return hash_; }
   bool contact_match(const std::string kind, const std::string model) override;
 
@@ -71,11 +75,16 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   using Loop = void (PairGranDisc::*)(LAMMPS_NS::PairGran&, bool addflag);
   struct Neighbours;
 
+  std::string style() const;  // as error lines begin
+  [[noreturn]] void fail(const std::string& what) const;
   void require_two_dimensions() const;
+  /// If the next argument is the keyword, takes it and its on or off.
+  bool take_switch(Arguments& arguments, const char* key, bool& value) const;
   void read_material_constants();
   std::vector<double> material_constant(const char* name, const char* symbol) const;
-  void check_time_step() const;
   void choose_loops();
+  template <int... numbers>
+  void choose_among(std::integer_sequence<int, numbers...> combinations);
   template <physics::Effects effects>
   void use_loops_of();
   void gather();
@@ -101,6 +110,8 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
 
   int64_t hash_;
   physics::Effects effects_;
+  double impact_velocity_ = 0;  // [m/s] to be expected, for the time step; 0: not given
+  bool time_step_checked_ = false;
   std::vector<physics::ContactParameters> parameters_;  // of type i and type j at (i - 1) * types + j - 1
   // Of this step: owned and ghost discs, the loads on them.
   std::vector<Place> places_;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include "atom.h"
 #include "error.h"
@@ -43,8 +44,8 @@ void PairGranDisc::stop_at_coincident_centres(const ContactBatch& c, const Lanes
   int lane = 0;
   while (!std::isnan(c.n_x[lane])) ++lane;
   const auto [i, j] = pairs_[lanes[lane]];
-  const std::string text = "ERROR: pair_style gran model disc/linear: discs " + std::to_string(atom->tag[i]) +
-                           " and " + std::to_string(atom->tag[j]) + " have the same centre in step " +
+  const std::string text = "ERROR: " + style() + ": discs " + std::to_string(atom->tag[i]) + " and " +
+                           std::to_string(atom->tag[j]) + " have the same centre in step " +
                            std::to_string(update->ntimestep) + ": their contact has no normal\n";
   if (logfile) std::fputs(text.c_str(), logfile);
   std::fflush(nullptr);
@@ -332,15 +333,13 @@ void PairGranDisc::use_loops_of() {
   observed_loop_ = &PairGranDisc::loop<effects, true>;
 }
 
+template <int... numbers>
+void PairGranDisc::choose_among(std::integer_sequence<int, numbers...> /*combinations*/) {
+  (use_loops_of<physics::effects_of_combination(numbers)>(), ...);
+}
+
 void PairGranDisc::choose_loops() {
-  use_loops_of<Effects{Tangential::none, false}>();
-  use_loops_of<Effects{Tangential::none, true}>();
-  use_loops_of<Effects{Tangential::viscous_coulomb, false}>();
-  use_loops_of<Effects{Tangential::viscous_coulomb, true}>();
-  use_loops_of<Effects{Tangential::spring, false}>();
-  use_loops_of<Effects{Tangential::spring, true}>();
-  use_loops_of<Effects{Tangential::damped_spring, false}>();
-  use_loops_of<Effects{Tangential::damped_spring, true}>();
+  choose_among(std::make_integer_sequence<int, physics::effect_combinations>{});
 }
 
 }  // namespace mikromakro::liggghts

@@ -59,7 +59,8 @@ const char* version_line() {
 
 std::string style_list() {
   std::string text = "\nStyles of mikromakro\n\n";
-  text += "* Pair style gran: model disc/linear, tangential off disc/viscous disc/cundall_strack\n";
+  text +=
+      "* Pair style gran: model disc/linear disc/hertz, tangential off disc/viscous disc/cundall_strack\n";
   append_names(text, "Fix styles", fixes);
   append_names(text, "Compute styles", computes);
   append_names(text, "Commands", commands);

@@ -80,7 +80,8 @@ template <Effects effects>
 [[gnu::always_inline]] inline void contact_forces(ContactBatch& c, int count) {
   for (int k = 0; k < count; ++k) {
     const ContactParameters parameters{c.k_n[k], c.gamma_n[k], c.k_t[k], c.gamma_t[k], c.mu[k]};
-    const ContactState state{c.overlap[k], c.v_n[k], c.v_t[k], c.xi[k]};
+    ContactState state{c.overlap[k], c.v_n[k], c.v_t[k], c.xi[k]};
+    if constexpr (effects.normal == Normal::hertz) state.reduced_radius = reduced_radius(c.a_1[k], c.a_2[k]);
     const auto force = contact_force<effects>(parameters, state, c.slip[k]);
     c.f_n[k] = force.f_n;
     c.f_t[k] = force.f_t;

@@ -1,4 +1,5 @@
-// Duration and restitution of a head-on collision under the linear spring-dashpot law (seed 2.2 and 2.3).
+// Duration and restitution of a head-on collision under the linear spring-dashpot law (seed 2.2 and 2.3), and
+// duration of an elastic one under Hertz's law.
 #pragma once
 
 #include <cmath>
@@ -23,6 +24,30 @@ inline double contact_duration(double k_n, double gamma_n, double m12) {
 /// contact.
 inline double restitution(double k_n, double gamma_n, double m12) {
   return std::exp(-gamma_n * contact_duration(k_n, gamma_n, m12) / (2 * m12));
+}
+
+/// k_H [N/m^(3/2)] of f_n = k_H overlap^(3/2), the law of contact_law.h for one pair: k_H = k_n sqrt(a_12).
+inline double hertz_stiffness(double k_n, double reduced_radius) {
+  return k_n * std::sqrt(reduced_radius);
+}
+
+/// Largest overlap [m] of an elastic impact at v [m/s], where m12 v^2 / 2 = 2/5 k_H overlap^(5/2).
+inline double hertz_largest_overlap(double k_h, double m12, double v) {
+  return std::pow(5 * m12 * v * v / (4 * k_h), 0.4);
+}
+
+/// Duration of an elastic impact at v [s]: t_c = 2 int_0^d dx / sqrt(v^2 - 4/5 k_H/m12 x^(5/2)) with the
+/// largest overlap d, that is (4/5) B(2/5, 1/2) d/v = 3.2181 (m12^2 / (k_H^2 v))^(1/5). Infinite for v = 0.
+inline double hertz_contact_duration(double k_h, double m12, double v) {
+  // B(2/5, 1/2) = Gamma(2/5) Gamma(1/2) / Gamma(9/10); d/v = (5/4)^(2/5) (m12^2 / (k_H^2 v))^(1/5).
+  static const double factor =
+      0.8 * std::sqrt(std::numbers::pi) * std::tgamma(0.4) / std::tgamma(0.9) * std::pow(1.25, 0.4);
+  return factor * std::pow(m12 * m12 / (k_h * k_h * v), 0.2);
+}
+
+/// Slope of Hertz's force [N/m] at an overlap: 3/2 k_H sqrt(overlap).
+inline double hertz_tangent_stiffness(double k_h, double overlap) {
+  return 1.5 * k_h * std::sqrt(overlap);
 }
 
 /// The rule of the seed (2.3): at least this many steps per contact.

@@ -12,8 +12,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mikromakro::physics {
+
+enum class Normal {
+  linear,  // spring of constant stiffness
+  hertz    // spheres
+};
 
 enum class Tangential {
   none,             // no tangential force
@@ -26,6 +32,8 @@ enum class Tangential {
 struct Effects {
   Tangential tangential = Tangential::none;
   bool no_attraction = false;  // the normal force is cut off at zero (limitForce)
+  Normal normal = Normal::linear;
+  bool normal_dashpot = true;
 
   static constexpr bool has_spring(Tangential t) {
     return t == Tangential::spring || t == Tangential::damped_spring;
@@ -34,9 +42,16 @@ struct Effects {
   constexpr bool operator==(const Effects&) const = default;
 };
 
+/// All combinations, numbered from 0, from which loops and walls instantiate theirs.
+inline constexpr int effect_combinations = 32;
+constexpr Effects effects_of_combination(int number) {
+  return {static_cast<Tangential>(number & 3), (number & 4) != 0,
+          (number & 8) != 0 ? Normal::hertz : Normal::linear, (number & 16) == 0};
+}
+
 /// Material constants of a pair of types.
 struct ContactParameters {
-  double normal_stiffness = 0;      // k_n [N/m]
+  double normal_stiffness = 0;      // k_n [N/m], of Hertz's law [N/m^2]
   double normal_damping = 0;        // gamma_n [kg/s]
   double tangential_stiffness = 0;  // k_t [N/m]
   double tangential_damping = 0;    // gamma_t [kg/s]
@@ -50,6 +65,8 @@ struct ContactState {
   double v_n;      // [m/s]
   double v_t;      // [m/s]
   double xi;       // [m], before the slip
+  // a_1 a_2 / (a_1 + a_2) [m]: for Hertz's law only, where a forgotten one shows in the force
+  double reduced_radius = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct ContactForce {
@@ -58,11 +75,26 @@ struct ContactForce {
   double xi;   // [m], after the slip
 };
 
-/// Normal force f_n = k_n overlap + gamma_n v_n (seed 2.2; with delta = -overlap), optionally without
+/// a_1 a_2 / (a_1 + a_2) [m]; a_2 < 0 is the radius of an arc from inside, a flat wall gives a_1 itself.
+constexpr double reduced_radius(double a_1, double a_2) {
+  return a_1 * a_2 / (a_1 + a_2);
+}
+
+/// Elastic part of the normal force: k_n overlap, or Hertz's k_n sqrt(a_12 overlap) overlap with the reduced
+/// radius a_12 (seed 2.2: ~ overlap^(3/2), for spheres k_n = 4/3 E* with 1/E* the sum of (1 - nu^2)/E).
+template <Effects effects>
+double elastic_force(const ContactParameters& p, const ContactState& s) {
+  if constexpr (effects.normal == Normal::linear) return p.normal_stiffness * s.overlap;
+  // Odd in the overlap, so that no lane of a batch takes the root of a negative number.
+  return p.normal_stiffness * std::sqrt(s.reduced_radius * std::abs(s.overlap)) * s.overlap;
+}
+
+/// Normal force f_n = elastic force [+ gamma_n v_n] (seed 2.2; with delta = -overlap), optionally without
 /// attraction.
 template <Effects effects>
-constexpr double normal_force(const ContactParameters& p, const ContactState& s) {
-  const double f_n = p.normal_stiffness * s.overlap + p.normal_damping * s.v_n;
+double normal_force(const ContactParameters& p, const ContactState& s) {
+  double f_n = elastic_force<effects>(p, s);
+  if constexpr (effects.normal_dashpot) f_n += p.normal_damping * s.v_n;
   return effects.no_attraction ? std::max(f_n, 0.0) : f_n;
 }
 

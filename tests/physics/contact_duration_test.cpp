@@ -42,6 +42,46 @@ TEST(ContactDuration, OverdampedIsTheUndampedTimeScale) {
   EXPECT_NEAR(contact_duration(50, 200, 2), M_PI / 5, 1e-15);
 }
 
+// Hertz: m12 d2x/dt2 = -k_H x^(3/2), dx/dt = v at first contact.
+constexpr double k_h = 3e4, m12 = 1.4e-4;  // [N/m^(3/2)], [kg]
+
+TEST(HertzContact, LargestOverlapHoldsTheKineticEnergy) {
+  // int_0^d k_H x^(3/2) dx = 2/5 k_H d^(5/2).
+  const double d = hertz_largest_overlap(k_h, m12, 0.3);
+  EXPECT_NEAR(0.4 * k_h * std::pow(d, 2.5) / (m12 * 0.3 * 0.3 / 2), 1, 1e-14);
+}
+
+TEST(HertzContact, LastsThreePointTwoOneEight) {
+  // The constant of Hertz's impact, 3.2181 (m^2/(k^2 v))^(1/5), quoted to four digits.
+  EXPECT_NEAR(hertz_contact_duration(1, 1, 1), 3.2181, 5e-5);
+  // A factor 32 of the velocity halves it, one of the mass multiplies it by four.
+  EXPECT_NEAR(hertz_contact_duration(k_h, m12, 32 * 0.3) / hertz_contact_duration(k_h, m12, 0.3), 0.5, 1e-14);
+  EXPECT_NEAR(hertz_contact_duration(k_h, 32 * m12, 0.3) / hertz_contact_duration(k_h, m12, 0.3), 4, 1e-13);
+}
+
+TEST(HertzContact, LastsAsLongAsTheEquationOfMotionTells) {
+  // Energy: dx/dt = v sqrt(1 - (x/d)^(5/2)), so with x = d sin(theta)^(4/5) half the contact lasts
+  // 4/5 d/v int_0^(pi/2) sin(theta)^(-1/5) dtheta. theta = u^5 takes out the singularity at 0: midpoint rule,
+  // error ~ 1/n^2.
+  const double v = 0.3, d = hertz_largest_overlap(k_h, m12, v);
+  constexpr int n = 4000;
+  const double end = std::pow(M_PI / 2, 0.2);
+  double sum = 0;
+  for (int k = 0; k < n; ++k) {
+    const double u = end * (k + 0.5) / n;
+    sum += std::pow(std::sin(std::pow(u, 5)), -0.2) * 5 * std::pow(u, 4) * end / n;
+  }
+  EXPECT_NEAR(2 * 0.8 * d / v * sum / hertz_contact_duration(k_h, m12, v), 1, 1e-6);
+}
+
+TEST(HertzContact, SlopeIsTheDerivativeOfTheForce) {
+  // Central difference: truncation h^2/(24 x^2) = 4e-10, rounding 1e-16 x/h = 1e-12.
+  const double x = 1e-4, h = 1e-8;
+  const double slope = k_h * (std::pow(x + h, 1.5) - std::pow(x - h, 1.5)) / (2 * h);
+  EXPECT_NEAR(hertz_tangent_stiffness(k_h, x) / slope, 1, 1e-9);
+  EXPECT_DOUBLE_EQ(hertz_stiffness(6, 0.25), 3);
+}
+
 TEST(ReducedMass, IsHalfForEqualMassesAndTheLighterOneAgainstAWall) {
   EXPECT_DOUBLE_EQ(reduced_mass(3, 3), 1.5);
   EXPECT_DOUBLE_EQ(reduced_mass(3, 6), reduced_mass(6, 3));

@@ -41,6 +41,53 @@ TEST(NormalForce, ComesWithoutTangentialForceIfThereIsNone) {
   EXPECT_EQ(f.xi, 0);
 }
 
+TEST(NormalForce, WithoutDashpotIsTheSpringAlone) {
+  constexpr Effects undamped{Tangential::none, false, Normal::linear, false};
+  EXPECT_NEAR((contact_force<undamped>(parameters, {overlap, 0.25, 0, 0}, 0).f_n), 2, rounding);
+}
+
+// Hertz: a_12 = 0.008 m and the overlap 0.002 m: sqrt(1.6e-5) = 0.004, f_n = 1000 * 0.004 * 0.002 = 8e-3 N.
+constexpr double reduced = 0.008;
+constexpr Effects hertz{Tangential::none, false, Normal::hertz, false},
+    damped_hertz{Tangential::none, false, Normal::hertz, true},
+    viscous_hertz{Tangential::viscous_coulomb, false, Normal::hertz, false};
+
+TEST(HertzForce, IsTheStiffnessTimesTheRootOfRadiusTimesOverlapTimesTheOverlap) {
+  EXPECT_NEAR((contact_force<hertz>(parameters, {overlap, 0.25, 0, 0, reduced}, 0).f_n), 8e-3, rounding);
+  // Four times the overlap: eight times the force.
+  EXPECT_NEAR((contact_force<hertz>(parameters, {4 * overlap, 0, 0, 0, reduced}, 0).f_n), 64e-3, rounding);
+}
+
+TEST(HertzForce, AddsTheSameDashpotAsTheLinearLaw) {
+  EXPECT_NEAR((contact_force<damped_hertz>(parameters, {overlap, 0.25, 0, 0, reduced}, 0).f_n), 1 + 8e-3,
+              rounding);
+}
+
+TEST(HertzForce, CapsFriction) {
+  // mu f_n = 4e-3 N; gamma_t v_t = 0.8 N is above it, 8e-4 N below.
+  EXPECT_NEAR((contact_force<viscous_hertz>(parameters, {overlap, 0, 0.1, 0, reduced}, 0).f_t), -4e-3,
+              rounding);
+  EXPECT_NEAR((contact_force<viscous_hertz>(parameters, {overlap, 0, 1e-4, 0, reduced}, 0).f_t), -8e-4,
+              rounding);
+}
+
+TEST(HertzForce, OfAForgottenRadiusIsNotANumber) {
+  EXPECT_TRUE(std::isnan(contact_force<hertz>(parameters, {overlap, 0, 0, 0}, 0).f_n));
+}
+
+TEST(ReducedRadius, OfTwoDiscsOfADiscOnAFlatWallAndInsideAnArc) {
+  EXPECT_DOUBLE_EQ(reduced_radius(3, 6), 2);
+  EXPECT_NEAR(reduced_radius(3, 3e16), 3, 1e-15);
+  EXPECT_DOUBLE_EQ(reduced_radius(3, -6), 6);  // 1/3 - 1/6 = 1/6
+}
+
+TEST(Combinations, OfEffectsAreAllDifferent) {
+  for (int one = 0; one < effect_combinations; ++one) {
+    for (int other = 0; other < one; ++other)
+      EXPECT_FALSE(effects_of_combination(one) == effects_of_combination(other)) << one << " " << other;
+  }
+}
+
 TEST(ViscousCoulomb, BothBranchesOfEquation1OpposeTheSlip) {
   // gamma_t |v_t| = 0.8 < 1; at v_t = 0.2 it would be 1.6 > 1.
   EXPECT_NEAR(force<Tangential::viscous_coulomb>({overlap, 0, 0.1, 0}).f_t, -0.8, rounding);
