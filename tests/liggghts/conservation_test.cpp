@@ -13,7 +13,7 @@
 namespace mikromakro::test {
 namespace {
 
-constexpr double radius = 3.71e-3, density = 6.36, k_n = 352.1;
+constexpr double radius = 3.71e-3, density = 6.36, k_n = 352.1, k_hertz = 1e6;
 
 /// Uniform in [0, 1), the same on every platform.
 double uniform(std::mt19937& raw) {
@@ -78,8 +78,20 @@ Momenta magnitudes(const std::map<int, Disc>& discs) {
   return sum;
 }
 
-const char* const laws[] = {"tangential off", "tangential disc/viscous", "tangential disc/cundall_strack",
-                            "tangential disc/cundall_strack tangential_damping on limitForce on"};
+struct Law {
+  const char* pair_style;
+  double k_n;  // [N/m], of Hertz's law [N/m^2]: about as stiff at overlaps of 1 % of the radius
+};
+const Law laws[] = {
+    {"model disc/linear tangential off", k_n},
+    {"model disc/linear tangential disc/viscous", k_n},
+    {"model disc/linear tangential disc/cundall_strack", k_n},
+    {"model disc/linear tangential disc/cundall_strack tangential_damping on limitForce on", k_n},
+    {"model disc/hertz tangential disc/viscous limitForce on", k_hertz},
+    {"model disc/hertz tangential disc/cundall_strack damping off", k_hertz}};
+void PrintTo(const Law& law, std::ostream* out) {
+  *out << law.pair_style;
+}
 
 // A step rounds each disc's velocity by 1e-16 of itself and each sum of forces by 1e-16 of its terms: a
 // random walk of sqrt(steps * discs) * 1e-16 = 4e-14 of a velocity, 1e-16 ... 1e-15 of the sum of magnitudes.
@@ -88,14 +100,14 @@ const char* const laws[] = {"tangential off", "tangential disc/viscous", "tangen
 // box is 1e-12 of an overlap).
 constexpr double rounding = 3e-14;
 
-class Conservation : public testing::TestWithParam<const char*> {};
+class Conservation : public testing::TestWithParam<Law> {};
 INSTANTIATE_TEST_SUITE_P(OfEachLaw, Conservation, testing::ValuesIn(laws),
                          [](const auto& info) { return "law_" + std::to_string(info.index); });
 
 TEST_P(Conservation, OfLinearMomentumInAPeriodicGas) {
   std::mt19937 raw(1);
   Engine engine;
-  engine.run(scene(std::string("model disc/linear ") + GetParam(), {}, 0.06, 1, "p p p"));
+  engine.run(scene(GetParam().pair_style, {.k_n = GetParam().k_n}, 0.06, 1, "p p p"));
   engine.run(lines_for(random_discs(raw, 200, 0.06), raw, 0.2, 0));
   const auto before = momenta(engine.discs()), scale = magnitudes(engine.discs());
   engine.run("fix integrate all nve/disc\ncompute contacts all contact/disc\ntimestep 2e-5\nrun 2000\n");
@@ -110,7 +122,7 @@ TEST_P(Conservation, OfLinearMomentumInAPeriodicGas) {
 TEST_P(Conservation, OfAngularMomentumInACollapsingCluster) {
   std::mt19937 raw(2);
   Engine engine;
-  engine.run(scene(std::string("model disc/linear ") + GetParam(), {}, 0.5, 1, "f f p"));
+  engine.run(scene(GetParam().pair_style, {.k_n = GetParam().k_n}, 0.5, 1, "f f p"));
   engine.run(lines_for(random_discs(raw, 200, 0.06), raw, 0.1, 5));
   const auto before = momenta(engine.discs()), scale = magnitudes(engine.discs());
   engine.run("fix integrate all nve/disc\ncompute contacts all contact/disc\ntimestep 2e-5\nrun 1500\n");
@@ -118,7 +130,7 @@ TEST_P(Conservation, OfAngularMomentumInACollapsingCluster) {
   const auto after = momenta(discs);
   ASSERT_EQ(discs.size(), 200U);
   EXPECT_GT(engine.contacts().size(), 30U);  // it has collapsed
-  std::printf("%s: angular momentum off by %.1e of its magnitudes\n", GetParam(),
+  std::printf("%s: angular momentum off by %.1e of its magnitudes\n", GetParam().pair_style,
               (after.angular - before.angular) / scale.angular);
   EXPECT_NEAR(after.p_x, before.p_x, rounding * scale.p_x);
   EXPECT_NEAR(after.p_y, before.p_y, rounding * scale.p_y);
@@ -126,12 +138,18 @@ TEST_P(Conservation, OfAngularMomentumInACollapsingCluster) {
   EXPECT_NEAR(after.angular, before.angular, rounding * scale.angular);
 }
 
-double energy(const Engine& engine) {
+/// Kinetic energy and that of the springs: k_n overlap^2/2, Hertz 2/5 k_n sqrt(a_12) overlap^(5/2).
+double energy(const Engine& engine, bool hertz) {
+  const auto discs = engine.discs();
   double sum = 0;
-  for (const auto& [id, d] : engine.discs()) {
+  for (const auto& [id, d] : discs) {
     sum += (d.mass * (d.v_x * d.v_x + d.v_y * d.v_y) + d.inertia() * d.omega * d.omega) / 2;
   }
-  for (const auto& [ids, c] : engine.contacts()) sum += k_n * c.overlap * c.overlap / 2;
+  for (const auto& [ids, c] : engine.contacts()) {
+    const double a_1 = discs.at(ids.first).radius, a_2 = discs.at(ids.second).radius;
+    sum += hertz ? 0.4 * k_hertz * std::sqrt(a_1 * a_2 / (a_1 + a_2)) * std::pow(c.overlap, 2.5)
+                 : k_n * c.overlap * c.overlap / 2;
+  }
   return sum;
 }
 
@@ -141,20 +159,22 @@ struct Deviation {
 
 /// Relative deviation of the energy of 40 elastic gases within 0.016 s: the signs of the collisions' errors
 /// are random, so that one gas alone scatters.
-Deviation energy_deviation(double dt) {
+Deviation energy_deviation(double dt, bool hertz) {
   Deviation deviation{0, 0};
   constexpr int gases = 40, looks = 40;
   for (int gas = 0; gas < gases; ++gas) {
     std::mt19937 raw(3 + gas);
     Engine engine;
-    engine.run(scene("model disc/linear tangential off", {.k_n = k_n, .gamma_n = 0}, 0.06, 1, "p p p"));
+    engine.run(
+        scene(hertz ? "model disc/hertz tangential off damping off" : "model disc/linear tangential off",
+              {.k_n = hertz ? k_hertz : k_n, .gamma_n = 0}, 0.06, 1, "p p p"));
     engine.run(lines_for(random_discs(raw, 200, 0.06), raw, 0.3, 0));
     engine.run(fmt::format(
         "fix integrate all nve/disc\ncompute contacts all contact/disc\ntimestep {}\nrun 0\n", dt));
-    const double start = energy(engine);
+    const double start = energy(engine, hertz);
     for (int look = 0; look < looks; ++look) {
       engine.run(fmt::format("run {} pre no\n", std::lround(4e-4 / dt)));
-      const double off = energy(engine) / start - 1;
+      const double off = energy(engine, hertz) / start - 1;
       deviation.largest = std::max(deviation.largest, std::abs(off));
       deviation.rms += off * off / (gases * looks);
     }
@@ -163,12 +183,20 @@ Deviation energy_deviation(double dt) {
   return deviation;
 }
 
-TEST(ElasticGas, DriftFallsWithTheSquareOfTheTimeStepOverManySteps) {
-  const auto coarse = energy_deviation(4e-5), fine = energy_deviation(1e-5);
-  std::printf("energy deviates by at most %.2e (rms %.2e) at dt = 4e-5 s, %.2e (rms %.2e) at 1e-5 s\n",
-              coarse.largest, coarse.rms, fine.largest, fine.rms);
+void expect_drift_of_order_two(bool hertz) {
+  const auto coarse = energy_deviation(4e-5, hertz), fine = energy_deviation(1e-5, hertz);
+  std::printf("%s: energy deviates by at most %.2e (rms %.2e) at dt = 4e-5 s, %.2e (rms %.2e) at 1e-5 s\n",
+              hertz ? "Hertz" : "linear", coarse.largest, coarse.rms, fine.largest, fine.rms);
   EXPECT_NEAR(std::log(coarse.largest / fine.largest) / std::log(4), 2, 0.3);
   EXPECT_NEAR(std::log(coarse.rms / fine.rms) / std::log(4), 2, 0.3);
+}
+
+TEST(ElasticGas, DriftFallsWithTheSquareOfTheTimeStepOverManySteps) {
+  expect_drift_of_order_two(false);
+}
+
+TEST(ElasticGas, OfHertzianContactsToo_ManySteps) {
+  expect_drift_of_order_two(true);
 }
 
 }  // namespace

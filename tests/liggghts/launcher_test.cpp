@@ -99,8 +99,8 @@ TEST_F(Launcher, NamesItsVersionInTheFirstLine) {
 TEST_F(Launcher, HelpListsTheDiscStylesBesideThoseOfTheEngine) {
   const auto ending = run("-help");
   EXPECT_EQ(ending.code, 0);
-  for (const auto* name :
-       {"disc/linear", "disc/viscous", "disc/cundall_strack", "nve/disc", "contact/disc", "nve/sphere"}) {
+  for (const auto* name : {"disc/linear", "disc/hertz", "disc/viscous", "disc/cundall_strack", "nve/disc",
+                           "contact/disc", "nve/sphere"}) {
     EXPECT_NE(ending.output.find(name), std::string::npos) << name;
   }
 }
@@ -143,6 +143,34 @@ TEST_F(Launcher, WarnsOfAStepAboveAFiftiethOfTheContactAndNamesOneThatWouldDo) {
   }
 }
 
+TEST_F(Launcher, NamesTheStepForHertzianContactsAtTheVelocityOrTheOverlapAtHand) {
+  const double mass = 6 * M_PI * 0.005 * 0.005, k_h = physics::hertz_stiffness(1e6, 0.0025);
+  const auto run_with = [&](const std::string& keywords, const std::string& lines, int ranks) {
+    return run_script(two_discs + constant("kn", 1e6) +
+                          "pair_style gran model disc/hertz tangential off damping off " + keywords +
+                          "\npair_coeff * *\ntimestep 1e-4\n" + lines + five_steps,
+                      ranks);
+  };
+  const auto would_do = [](double t_c) { return fmt::format("'timestep {:.4g}' would do", t_c / 50); };
+  for (const int ranks : {1, 2}) {
+    // Approach at 0.5 m/s by the keyword; twice the largest speed; overlap of 1 mm at rest.
+    const auto expected = run_with("impact_velocity 0.5", "", ranks);
+    EXPECT_EQ(expected.lines_with(would_do(physics::hertz_contact_duration(k_h, mass / 2, 0.5))), 1U)
+        << expected.output;
+    const auto moving = run_with("", "set group all vx 0.4\n", ranks);
+    EXPECT_EQ(moving.lines_with(would_do(physics::hertz_contact_duration(k_h, mass / 2, 0.8))), 1U)
+        << moving.output;
+    const auto touching = run_with(
+        "", "create_atoms 1 single 0.029 0 0 units box\nset group all diameter 0.01 density 6\n", ranks);
+    const double slope = physics::hertz_tangent_stiffness(k_h, 1e-3);
+    EXPECT_EQ(touching.lines_with(would_do(physics::contact_duration(slope, 0, mass / 2))), 1U)
+        << touching.output;
+    const auto unknown = run_with("", "", ranks);
+    EXPECT_EQ(unknown.lines_with("time step not checked"), 1U) << unknown.output;
+    EXPECT_EQ(unknown.code, 0);
+  }
+}
+
 TEST_F(Launcher, AsksOnlyForTheConstantsOfTheChosenLaw) {
   const std::string mu = constant("coefficientFriction", 0.4), k_t = constant("kt", 200),
                     gamma_t = constant("gammat_abs", 0.1);
@@ -152,6 +180,11 @@ TEST_F(Launcher, AsksOnlyForTheConstantsOfTheChosenLaw) {
         .code;
   };
   EXPECT_EQ(code("", "tangential off"), 0);
+  EXPECT_EQ(run_script(two_discs + constant("kn", 352.1) +
+                       "pair_style gran model disc/linear tangential off damping off\npair_coeff * *\n" +
+                       five_steps)
+                .code,
+            0);
   EXPECT_EQ(code(mu + gamma_t, "tangential disc/viscous"), 0);
   EXPECT_EQ(code(mu + k_t, "tangential disc/cundall_strack"), 0);
   EXPECT_EQ(code(mu + k_t + gamma_t, "tangential disc/cundall_strack tangential_damping on"), 0);

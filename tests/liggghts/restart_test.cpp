@@ -11,13 +11,27 @@ namespace mikromakro::test {
 namespace {
 
 using physics::Effects;
+using physics::Normal;
 using physics::Tangential;
 
 constexpr double a = 5e-3;
-const std::string law =
-    "model disc/linear tangential disc/cundall_strack tangential_damping on limitForce on";
 
-class RestartInContact : public testing::Test {
+struct Law {
+  const char* pair_style;
+  double k_n;  // [N/m], of Hertz's law [N/m^2]
+  Effects effects;
+};
+void PrintTo(const Law& law, std::ostream* out) {
+  *out << law.pair_style;
+}
+const Law laws[] = {{"model disc/linear tangential disc/cundall_strack tangential_damping on limitForce on",
+                     352.1,
+                     {Tangential::damped_spring, true, Normal::linear, true}},
+                    {"model disc/hertz tangential disc/cundall_strack damping off impact_velocity 0.1",
+                     4e5,
+                     {Tangential::spring, false, Normal::hertz, false}}};
+
+class RestartInContact : public testing::TestWithParam<Law> {
  protected:
   // The first rank names the file.
   RestartInContact() {
@@ -29,7 +43,7 @@ class RestartInContact : public testing::Test {
 
   /// Disc 2 slides on disc 1, disc 4 sticks to disc 3; the border of two ranks is at x = 0.
   void start() {
-    engine_.run(scene(law, material_, 0.05, 1));
+    engine_.run(scene(GetParam().pair_style, material_, 0.05, 1));
     engine_.run(disc(1, -a, 0, a) + disc(2, a - 2e-4, 0, a) + disc(3, -a, 0.03, a) +
                 disc(4, a - 2e-4, 0.03, a));
     engine_.run(motion(2, 0, 0.3) + motion(4, 0, 2e-3) + in_motion_ + "run 40\n");
@@ -64,31 +78,34 @@ class RestartInContact : public testing::Test {
 
   void expect_to_go_on() {
     const auto effects = liggghts::active_disc_law(engine_.lammps())->effects();
-    EXPECT_EQ(effects, (Effects{Tangential::damped_spring, true}));
+    EXPECT_EQ(effects, GetParam().effects);
     engine_.run("run 0\n");
     expect_equal(contacts_, engine_.contacts());
     engine_.run("run 40\n");
     expect_equal(later_, engine_.contacts());
   }
 
-  Material material_{.gamma_t = 0.01};
+  Material material_{.k_n = GetParam().k_n, .gamma_t = 0.01};
   std::string in_motion_ = "fix integrate all nve/disc\ncompute contacts all contact/disc\ntimestep 2e-5\n";
   std::string file_;
   Engine engine_;
   std::map<std::pair<int, int>, Contact> contacts_, later_;
 };
 
-TEST_F(RestartInContact, KeepsSpringAndSettingsWithoutThePairStyle) {
+TEST_P(RestartInContact, KeepsSpringAndSettingsWithoutThePairStyle) {
   ASSERT_NO_FATAL_FAILURE(start());
   restart("");
   expect_to_go_on();
 }
 
-TEST_F(RestartInContact, KeepsTheSpringWhereThePairStyleIsGivenAgain) {
+TEST_P(RestartInContact, KeepsTheSpringWhereThePairStyleIsGivenAgain) {
   ASSERT_NO_FATAL_FAILURE(start());
-  restart("pair_style gran " + law + "\npair_coeff * *\n");
+  restart(std::string("pair_style gran ") + GetParam().pair_style + "\npair_coeff * *\n");
   expect_to_go_on();
 }
+
+INSTANTIATE_TEST_SUITE_P(OfEachLaw, RestartInContact, testing::ValuesIn(laws),
+                         [](const auto& info) { return "law_" + std::to_string(info.index); });
 
 std::map<std::pair<int, int>, Contact> contacts_after(const std::string& runs) {
   Engine engine;

@@ -55,9 +55,18 @@ struct Duration {
   double dt;
 };
 
+/// The constants of the stock laws with damping relative to the mass, which the absolute ones replace.
+const std::string no_relative_damping =
+    "fix rn all property/global gamman peratomtypepair 2 0 0 0 0\n"
+    "fix rt all property/global gammat peratomtypepair 2 0 0 0 0\n";
+
 Rows rows_after(Duration duration, const std::string& law, const std::string& history) {
+  const bool hertz = law.find("hertz") != std::string::npos;
+  Material constants = material;
+  if (hertz) constants.k_n = 1e6;  // [N/m^2]: about as stiff at these overlaps
   Engine engine;
-  engine.run(scene(law, material, packing_box, 2, "p p p", "0.002"));
+  engine.run(scene(law, constants, packing_box, 2, "p p p", "0.002"));
+  if (hertz) engine.run(no_relative_damping);
   engine.run(packing(20, 0.05));
   engine.run(
       fmt::format("fix integrate all nve/sphere\nfix plane all enforce2d\ntimestep {:.17g}\n", duration.dt));
@@ -110,6 +119,8 @@ constexpr auto stock_viscous = "model hooke/stiffness tangential no_history abso
 constexpr auto stock_spring =
     "model hooke/stiffness tangential history absolute_damping on tangential_damping off";
 constexpr auto stock_both = "model hooke/stiffness tangential history absolute_damping on";
+constexpr auto stock_hertz = "model hertz/stiffness tangential off";
+constexpr auto our_hertz = "model disc/hertz tangential off damping off";
 constexpr auto our_normal = "model disc/linear tangential off";
 constexpr auto our_viscous = "model disc/linear tangential disc/viscous";
 constexpr auto our_spring = "model disc/linear tangential disc/cundall_strack";
@@ -120,6 +131,8 @@ constexpr auto our_both = "model disc/linear tangential disc/cundall_strack tang
 const Swap swaps[] = {
     {"normal force, step 0", stock_normal, our_normal, "", 0, 0, 1e-14},
     {"normal force, 500 steps", stock_normal, our_normal, "", 500, 0, 1e-11},
+    {"Hertz, step 0", stock_hertz, our_hertz, "", 0, 0, 1e-14},
+    {"Hertz, 500 steps", stock_hertz, our_hertz, "", 500, 0, 1e-11},
     {"Eq. 1, step 0", stock_viscous, our_viscous, "", 0, 0, 1e-14},
     {"Eq. 1, 500 steps", stock_viscous, our_viscous, "", 500, 0, 1e-11},
     {"spring, 1 step", stock_spring, our_spring, "history", 1, 0, 1e-14},
