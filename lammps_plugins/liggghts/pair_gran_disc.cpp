@@ -8,6 +8,7 @@
 #include "comm.h"
 #include "compute_pair_gran_local.h"
 #include "domain.h"
+#include "effects_line.h"
 #include "fix_nve_disc.h"
 #include "force.h"
 #include "modify.h"
@@ -130,10 +131,25 @@ void PairGranDisc::init_granular() {
   require_two_dimensions();
   if (force->cg_active()) fail("works without coarse graining only");
   read_material_constants();
-  time_step_checked_ = false;
+  run_started_ = false;
   predicted_ = integrators_predict_velocities(*modify);
   schedule_.look_up(*lmp);
   recorded_step_ = -1;
+}
+
+/// Once in each run, at its set-up; the engine also initialises when it writes a restart file.
+void PairGranDisc::start_run(const NeighList& list) {
+  run_started_ = true;
+  check_time_step(*lmp, list, style(), {effects_, parameters_, impact_velocity_});
+  announce_effects();
+}
+
+void PairGranDisc::announce_effects() const {
+  if (comm->me != 0) return;
+  const std::string line = effects_line(effects_, *modify, predicted_) + "\n";
+  for (FILE* file : {screen, logfile}) {
+    if (file) std::fputs(line.c_str(), file);
+  }
 }
 
 namespace {
@@ -193,10 +209,7 @@ void PairGranDisc::compute_force(PairGran* pair, int eflag, int vflag, int addfl
   } else {
     pair->evflag = pair->vflag_fdotr = 0;
   }
-  if (!time_step_checked_) {
-    check_time_step(*lmp, *pair->list, style(), {effects_, parameters_, impact_velocity_});
-    time_step_checked_ = true;
-  }
+  if (!run_started_) start_run(*pair->list);
   recording_ = pair->computeflag() && schedule_.due(*update, *output);
   if (recording_) applied_.clear();
   if (atom->nlocal > 0) {

@@ -82,6 +82,8 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   bool take_switch(Arguments& arguments, const char* key, bool& value) const;
   void read_material_constants();
   std::vector<double> material_constant(const char* name, const char* symbol) const;
+  void start_run(const LAMMPS_NS::NeighList& list);
+  void announce_effects() const;
   void choose_loops();
   template <int... numbers>
   void choose_among(std::integer_sequence<int, numbers...> combinations);
@@ -111,7 +113,7 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   int64_t hash_;
   physics::Effects effects_;
   double impact_velocity_ = 0;  // [m/s] to be expected, for the time step; 0: not given
-  bool time_step_checked_ = false;
+  bool run_started_ = false;
   std::vector<physics::ContactParameters> parameters_;  // of type i and type j at (i - 1) * types + j - 1
   // Of this step: owned and ghost discs, the loads on them.
   std::vector<Place> places_;

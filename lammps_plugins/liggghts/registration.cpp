@@ -6,6 +6,7 @@
 #include "compute_contact_disc.h"
 #include "create_discs.h"
 #include "create_ring.h"
+#include "fix_bottom_friction.h"
 #include "fix_couette_2d.h"
 #include "fix_nve_disc.h"
 #include "lammps.h"
@@ -31,7 +32,8 @@ void run_command(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) {
   T(engine).command(narg, arg);
 }
 
-const std::map<std::string, FixCreator> fixes = {{"couette/2d", make_fix<FixCouette2d>},
+const std::map<std::string, FixCreator> fixes = {{"bottom/friction", make_fix<FixBottomFriction>},
+                                                 {"couette/2d", make_fix<FixCouette2d>},
                                                  {"nve/disc", make_fix<FixNveDisc>}};
 const std::map<std::string, ComputeCreator> computes = {{"contact/disc", make_compute<ComputeContactDisc>}};
 const std::map<std::string, CommandCreator> commands = {{"create_discs", run_command<CreateDiscs>},

@@ -143,6 +143,43 @@ TEST_F(Launcher, WarnsOfAStepAboveAFiftiethOfTheContactAndNamesOneThatWouldDo) {
   }
 }
 
+TEST_F(Launcher, ListsWhatIsSimulatedAndWhatIsNotInOneLineOfScreenAndLog) {
+  const std::string constants = normal_constants + constant("coefficientFriction", 0.4) +
+                                constant("kt", 200) + constant("gammat_abs", 0.1);
+  const auto line_of = [&](const std::string& law, const std::string& fixes, int ranks) {
+    const auto ending = run_script(two_discs + constants + "pair_style gran model " + law +
+                                       "\npair_coeff * *\n" + fixes + "write_restart my.restart\nrun 1\n",
+                                   ranks, "-log my.log");
+    EXPECT_EQ(ending.lines_with("Effects simulated: "), 1U) << ending.output;
+    const auto begin = ending.output.find("Effects simulated: ");
+    const auto line = ending.output.substr(begin, ending.output.find('\n', begin) - begin);
+    std::ifstream log(folder_ / "my.log");
+    std::stringstream text;
+    text << log.rdbuf();
+    EXPECT_NE(text.str().find(line), std::string::npos) << text.str();
+    return line;
+  };
+  for (const int ranks : {1, 2}) {
+    EXPECT_EQ(
+        line_of("disc/linear tangential off damping off", "fix integrate all nve/sphere\n", ranks),
+        "Effects simulated: linear normal force; not simulated: normal dashpot, friction, tangential "
+        "dashpot, "
+        "cut-off of attraction, bottom friction, gravity, smooth walls; dashpots see half-step velocities");
+  }
+  EXPECT_EQ(
+      line_of(
+          "disc/hertz tangential disc/cundall_strack tangential_damping on limitForce on impact_velocity 0.1",
+          "fix integrate all nve/disc\nfix bottom all bottom/friction 0.1 9.81\n"
+          "fix down all gravity 9.81 vector 0 -1 0\n",
+          1),
+      "Effects simulated: normal force of Hertz, normal dashpot, friction with spring, tangential dashpot, "
+      "cut-off of attraction, bottom friction, gravity; not simulated: smooth walls; dashpots see predicted "
+      "velocities");
+  EXPECT_NE(line_of("disc/linear tangential disc/viscous", "fix integrate all nve/disc\n", 1)
+                .find("normal dashpot, friction by Eq. 1; not simulated: tangential dashpot, "),
+            std::string::npos);
+}
+
 TEST_F(Launcher, NamesTheStepForHertzianContactsAtTheVelocityOrTheOverlapAtHand) {
   const double mass = 6 * M_PI * 0.005 * 0.005, k_h = physics::hertz_stiffness(1e6, 0.0025);
   const auto run_with = [&](const std::string& keywords, const std::string& lines, int ranks) {

@@ -1,0 +1,19 @@
+// What a run simulates and what it leaves out, as one line for screen and log.
+#pragma once
+
+#include <string>
+
+#include "physics/contact_law.h"
+
+namespace LAMMPS_NS {
+class Modify;
+}
+
+namespace mikromakro::liggghts {
+
+/// "Effects simulated: ...; not simulated: ...; dashpots see ... velocities": those of the contact law, and
+/// the fixes that are defined: bottom friction, gravity, smooth walls (ours and the engine's wall/gran).
+std::string effects_line(const physics::Effects& law, const LAMMPS_NS::Modify& modify,
+                         bool predicted_velocities);
+
+}  // namespace mikromakro::liggghts
