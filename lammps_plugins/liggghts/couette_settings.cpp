@@ -1,5 +1,6 @@
 #include "couette_settings.h"
 
+#include "atom.h"
 #include "group.h"
 #include "lammps.h"
 
@@ -14,8 +15,13 @@ struct Given {
   double compaction_time = 0.0;
 };
 
-void parse_ring(LAMMPS_NS::LAMMPS& engine, Arguments& arguments, const std::string& side, RoughRing& ring) {
-  if (!arguments.take("rough")) arguments.unexpected("'rough' after '" + side + "'");
+void parse_ring(LAMMPS_NS::LAMMPS& engine, Arguments& arguments, const std::string& side, Ring& ring) {
+  if (arguments.take("smooth")) {
+    ring.type = static_cast<int>(arguments.integer(side + " smooth TYPE", 1, engine.atom->ntypes));
+    ring.motion.course.start = arguments.positive(side + " smooth radius");
+    return;
+  }
+  if (!arguments.take("rough")) arguments.unexpected("'rough' or 'smooth' after '" + side + "'");
   ring.group = arguments.word(side + " rough GROUP");
   const int group = engine.group->find(ring.group.c_str());
   if (group < 0) arguments.fail(side + " rough: expected the name of a group, got '" + ring.group + "'");
@@ -51,13 +57,16 @@ void parse_keyword(LAMMPS_NS::LAMMPS& engine, Arguments& arguments, CouetteSetti
 void check(const Arguments& arguments, const CouetteSettings& settings, const Given& given) {
   const auto& [inner, outer] = settings.rings;
   if (!given.centre) arguments.fail("expected 'center X Y'");
-  if (inner.group.empty()) arguments.fail("expected 'inner rough GROUP R_I'");
-  if (outer.group.empty()) arguments.fail("expected 'outer rough GROUP R_O'");
+  if (inner.group.empty() && !inner.smooth())
+    arguments.fail("expected 'inner rough GROUP R_I' or 'inner smooth TYPE R_I'");
+  if (outer.group.empty() && !outer.smooth())
+    arguments.fail("expected 'outer rough GROUP R_O' or 'outer smooth TYPE R_O'");
   if (!given.rotation) arguments.fail("expected 'omega_inner W'");
   const double inner_radius = inner.motion.course.start;
   const physics::RadiusCourse& course = outer.motion.course;
   if (inner_radius >= course.start)
-    arguments.fail("outer rough: expected a radius above the inner ring's " + text_of(inner_radius) +
+    arguments.fail((outer.smooth() ? "outer smooth" : "outer rough") +
+                   std::string(": expected a radius above the inner ring's ") + text_of(inner_radius) +
                    ", got " + text_of(course.start));
   if (inner_radius >= course.end)
     arguments.fail("compact: expected R_END above the inner ring's radius " + text_of(inner_radius) +

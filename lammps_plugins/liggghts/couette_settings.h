@@ -10,17 +10,20 @@
 
 namespace mikromakro::liggghts {
 
-// A rough ring: the wall discs of a group.
-struct RoughRing {
+// Rough: the wall discs of a group. Smooth: a wall along the circle, with the material of an atom type.
+struct Ring {
   std::string group;
-  int group_bit = 0;
+  int group_bit = 0;  // smooth: 0, no disc
+  int type = 0;       // rough: 0
   physics::RingMotion motion;
+
+  [[nodiscard]] bool smooth() const { return type > 0; }
 };
 
 struct CouetteSettings {
-  physics::PlaneVector centre;     // m
-  std::array<RoughRing, 2> rings;  // inner, outer
-  double height = 1.0;             // m; 1 leaves pressures as force per length
+  physics::PlaneVector centre;  // m
+  std::array<Ring, 2> rings;    // inner, outer
+  double height = 1.0;          // m; 1 leaves pressures as force per length
 };
 
 CouetteSettings parse_couette(LAMMPS_NS::LAMMPS& engine, Arguments& arguments);

@@ -9,8 +9,8 @@
 
 namespace mikromakro::liggghts {
 
-FixCouette2d::FixCouette2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(lmp, narg, arg) {
-  time_integrate = 1;
+FixCouette2d::FixCouette2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
+    : Fix(lmp, narg, arg), walls_(*lmp, style) {
   restart_global = 1;
   restart_peratom = 1;
   scalar_flag = vector_flag = 1;
@@ -28,6 +28,9 @@ FixCouette2d::FixCouette2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : Fix(l
   Arguments arguments(*lmp, style, narg, arg, 3);
   settings_ = parse_couette(*lmp, arguments);
   clock_ = physics::StepClock(0.0, update->ntimestep, update->dt);
+  add_smooth_rings();
+  // The engine warns of discs with two integrators; with smooth rings the group holds discs of others too.
+  time_integrate = walls_.any() ? 0 : 1;
 
   grow_arrays(atom->nmax);
   for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
@@ -43,7 +46,8 @@ FixCouette2d::~FixCouette2d() {
 
 int FixCouette2d::setmask() {
   // PRE_EXCHANGE only so that the engine calls setup_pre_exchange.
-  return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::PRE_EXCHANGE;
+  return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::PRE_EXCHANGE |
+         (walls_.any() ? LAMMPS_NS::FixConst::POST_FORCE : 0);
 }
 
 // After the state of a restart file, if there is one, has been taken over.
@@ -51,6 +55,7 @@ void FixCouette2d::post_create() {
   check_groups();
   check_radii();
   adopt_new_wall_discs();
+  walls_.check_cuts(smooth_rings_at(update->ntimestep));
 }
 
 void FixCouette2d::init() {
@@ -58,6 +63,7 @@ void FixCouette2d::init() {
   check_groups();
   check_radii();
   adopt_new_wall_discs();
+  if (walls_.any()) walls_.init(smooth_rings_at(update->ntimestep));
 }
 
 // Velocities at the start of a run, before ghosts get theirs. Positions are left alone: they are right
@@ -69,8 +75,13 @@ void FixCouette2d::setup_pre_exchange() {
   step_of_loads_ = -1;
 }
 
-void FixCouette2d::setup(int) {
+void FixCouette2d::setup(int vflag) {
+  if (walls_.any()) post_force(vflag);
   step_of_loads_ = -1;
+}
+
+void FixCouette2d::post_force(int) {
+  walls_.apply(smooth_rings_at(update->ntimestep));
 }
 
 void FixCouette2d::initial_integrate(int) {
@@ -131,6 +142,7 @@ const FixCouette2d::Loads& FixCouette2d::loads() {
     const int side = ring_of(i);
     if (side >= 0) loads_[side].add(from_centre(i), {atom->f[i][0], atom->f[i][1]}, atom->torque[i][2]);
   }
+  add_loads_of_smooth_rings();
   static_assert(sizeof(Loads) == 4 * sizeof(double));
   MPI_Allreduce(MPI_IN_PLACE, loads_.data(), 4, MPI_DOUBLE, MPI_SUM, world);
   step_of_loads_ = update->ntimestep;
@@ -171,7 +183,7 @@ double FixCouette2d::compute_vector(int i) {
 }
 
 double FixCouette2d::memory_usage() {
-  return 2.0 * atom->nmax * sizeof(double);
+  return 2.0 * atom->nmax * sizeof(double) + walls_.memory_usage();
 }
 
 }  // namespace mikromakro::liggghts

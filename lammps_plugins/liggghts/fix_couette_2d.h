@@ -1,12 +1,17 @@
-// fix ID group couette/2d center X Y inner rough GROUP R_I outer rough GROUP R_O omega_inner W
+// fix ID group couette/2d center X Y inner RING outer RING omega_inner W
 //                        [omega_outer W] [compact R_END TIME] [height H]
+// RING: rough GROUP R  or  smooth TYPE R
 //
-// The rings of a 2D Couette shear cell about (X, Y) (m). Rough rings: the wall discs of the two groups, with
-// their centres on the circles of radius R_I and R_O (m). Their positions and velocities are functions of
+// The rings of a 2D Couette shear cell about (X, Y) (m). Rough ring: the wall discs of a group, with their
+// centres on the circle of radius R (R_I, R_O below; m). Their positions and velocities are functions of
 // time only (physics/ring_motion.h): nothing is summed up, whatever the forces. W: rotation rates (1/s,
 // counter-clockwise positive). `compact`: the outer radius goes from R_O to R_END (m) within TIME (s) along a
-// half cosine. `group` has to hold both rings and no disc that another fix integrates. Keywords may stand in
-// any order.
+// half cosine. `group` has to hold the wall discs of rough rings, which no other fix may integrate. Keywords
+// may stand in any order.
+//
+// A smooth ring is a wall along the circle of radius R with the material constants of TYPE; all discs of
+// `group` that are no wall discs touch it under the law of the pair style (physics/smooth_wall.h). Contact
+// rows show it with the id 0 (inner) or -5 (outer).
 //
 // A new fix takes the present angles of the wall discs as its zero. Time goes on over several runs, changes
 // of the time step and restart files.
@@ -32,10 +37,11 @@
 #include "physics/ring_load.h"
 #include "physics/ring_motion.h"
 #include "physics/step_clock.h"
+#include "smooth_walls.h"
 
 namespace mikromakro::liggghts {
 
-class FixCouette2d : public LAMMPS_NS::Fix {
+class FixCouette2d : public LAMMPS_NS::Fix, public WallContactSource {
  public:
   FixCouette2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   ~FixCouette2d() override;
@@ -48,6 +54,7 @@ class FixCouette2d : public LAMMPS_NS::Fix {
   void setup_pre_exchange() override;
   void setup(int vflag) override;
   void initial_integrate(int vflag) override;
+  void post_force(int vflag) override;
   void reset_dt() override;
   void reset_timestep(LAMMPS_NS::bigint newstep, LAMMPS_NS::bigint oldstep) override;
   double compute_scalar() override;
@@ -67,6 +74,11 @@ class FixCouette2d : public LAMMPS_NS::Fix {
   int size_restart(int nlocal) override;
   int maxsize_restart() override;
 
+  bool append_wall_contacts(int group_bit, std::vector<ContactRow>& rows) const override {
+    return walls_.append_contacts(group_bit, rows);
+  }
+  std::vector<int> wall_types() const override { return walls_.types(); }
+
  private:
   using Rings = std::array<physics::RingState, 2>;  // inner, outer
   using Loads = std::array<physics::RingLoad, 2>;
@@ -79,11 +91,15 @@ class FixCouette2d : public LAMMPS_NS::Fix {
   void check_radii();
   void adopt_new_wall_discs();
   void place_wall_discs(LAMMPS_NS::bigint step, bool velocities_only);
+  void add_smooth_rings();
+  [[nodiscard]] std::vector<physics::SmoothWall> smooth_rings_at(LAMMPS_NS::bigint step) const;
+  void add_loads_of_smooth_rings();
   const Loads& loads();
 
   CouetteSettings settings_;
   physics::StepClock clock_;
   double** references_ = nullptr;  // per atom: unit vector of the reference angle; zero: none yet
+  SmoothWalls walls_;              // of the smooth rings
   Loads loads_;
   LAMMPS_NS::bigint step_of_loads_ = -1;
 };

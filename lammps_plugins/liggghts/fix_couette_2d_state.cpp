@@ -49,7 +49,7 @@ void FixCouette2d::check_groups() {
   if (counts[2] > 0)
     stop(*lmp, style, "expected two groups without common discs, got " + std::to_string(counts[2]));
   for (int side = 0; side < 2; ++side) {
-    if (counts[side] == 0)
+    if (counts[side] == 0 && !settings_.rings[side].smooth())
       stop(*lmp, style,
            side_names[side] + " rough: expected a group with wall discs, got the empty group '" +
                settings_.rings[side].group + "'");
@@ -108,27 +108,30 @@ void FixCouette2d::adopt_new_wall_discs() {
 
 void FixCouette2d::grow_arrays(int nmax) {
   memory->grow(references_, nmax, 2, "couette/2d:references");
+  walls_.grow(nmax);
 }
 
 void FixCouette2d::copy_arrays(int i, int j, int) {
   references_[j][0] = references_[i][0];
   references_[j][1] = references_[i][1];
+  walls_.copy(i, j);
 }
 
 void FixCouette2d::set_arrays(int i) {
   references_[i][0] = references_[i][1] = 0.0;
+  walls_.clear(i);
 }
 
 int FixCouette2d::pack_exchange(int i, double* buf) {
   buf[0] = references_[i][0];
   buf[1] = references_[i][1];
-  return 2;
+  return 2 + walls_.pack(i, buf + 2);
 }
 
 int FixCouette2d::unpack_exchange(int nlocal, double* buf) {
   references_[nlocal][0] = buf[0];
   references_[nlocal][1] = buf[1];
-  return 2;
+  return 2 + walls_.unpack(nlocal, buf + 2);
 }
 
 void FixCouette2d::write_restart(FILE* fp) {
@@ -162,10 +165,10 @@ void FixCouette2d::restart(char* buf) {
 }
 
 int FixCouette2d::pack_restart(int i, double* buf) {
-  buf[0] = maxsize_restart();
+  buf[0] = size_restart(i);
   buf[1] = references_[i][0];
   buf[2] = references_[i][1];
-  return maxsize_restart();
+  return 3 + walls_.pack(i, buf + 3);
 }
 
 void FixCouette2d::unpack_restart(int nlocal, int nth) {
@@ -174,14 +177,15 @@ void FixCouette2d::unpack_restart(int nlocal, int nth) {
   for (int k = 0; k < nth; ++k) start += static_cast<int>(extra[start]);
   references_[nlocal][0] = extra[start + 1];
   references_[nlocal][1] = extra[start + 2];
+  walls_.unpack(nlocal, extra + start + 3);
 }
 
-int FixCouette2d::size_restart(int) {
-  return maxsize_restart();
+int FixCouette2d::size_restart(int i) {
+  return 3 + walls_.packed_size(i);
 }
 
 int FixCouette2d::maxsize_restart() {
-  return 3;
+  return 3 + walls_.largest_packed_size();
 }
 
 }  // namespace mikromakro::liggghts

@@ -199,6 +199,10 @@ bool PairGranDisc::contact_match(const std::string kind, const std::string model
   return model == "off";
 }
 
+const physics::ContactParameters& PairGranDisc::parameters(int type_1, int type_2) const {
+  return parameters_[static_cast<std::size_t>(type_1 - 1) * atom->ntypes + type_2 - 1];
+}
+
 const std::vector<AppliedContact>* PairGranDisc::applied_contacts() const {
   return recorded_step_ == update->ntimestep ? &applied_ : nullptr;
 }

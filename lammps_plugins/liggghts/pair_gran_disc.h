@@ -69,6 +69,10 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   /// The contacts of the force evaluation of this step; nullptr where the step was not recorded.
   const std::vector<AppliedContact>* applied_contacts() const;
   physics::Effects effects() const { return effects_; }
+  /// For walls, which act under the same law: constants of two types (from 1 on), and whether the atoms carry
+  /// velocities that were predicted for the instant of their positions. Valid from the start of a run.
+  const physics::ContactParameters& parameters(int type_1, int type_2) const;
+  bool velocities_predicted() const { return predicted_; }
 
  private:
   using Lanes = std::array<int, physics::ContactBatch::lanes>;  // the pair in each lane
