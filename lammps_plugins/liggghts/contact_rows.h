@@ -15,6 +15,11 @@ namespace mikromakro::liggghts {
 inline constexpr int contact_columns = 16;
 using ContactRow = std::array<double, contact_columns>;
 
+/// A wall as contact rows show it, and the atom type whose material constants it has.
+struct WallKind {
+  int id, type;
+};
+
 /// A fix whose walls touch discs.
 class WallContactSource {
  public:
@@ -22,8 +27,7 @@ class WallContactSource {
   /// Appends a row for each contact of an owned disc of the group as it was applied in this step. False: the
   /// step was not recorded.
   virtual bool append_wall_contacts(int group_bit, std::vector<ContactRow>& rows) const = 0;
-  /// The atom types whose material constants the walls have.
-  virtual std::vector<int> wall_types() const = 0;
+  virtual std::vector<WallKind> wall_kinds() const = 0;
 };
 
 /// A fix that reads contacts in steps of its own, of which the engine's output does not know.

@@ -77,7 +77,7 @@ class FixCouette2d : public LAMMPS_NS::Fix, public WallContactSource {
   bool append_wall_contacts(int group_bit, std::vector<ContactRow>& rows) const override {
     return walls_.append_contacts(group_bit, rows);
   }
-  std::vector<int> wall_types() const override { return walls_.types(); }
+  std::vector<WallKind> wall_kinds() const override { return walls_.kinds(); }
 
  private:
   using Rings = std::array<physics::RingState, 2>;  // inner, outer

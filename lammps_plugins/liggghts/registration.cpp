@@ -6,8 +6,10 @@
 #include "compute_contact_disc.h"
 #include "create_discs.h"
 #include "create_ring.h"
+#include "fix_biaxial_2d.h"
 #include "fix_bottom_friction.h"
 #include "fix_couette_2d.h"
+#include "fix_energy_disc.h"
 #include "fix_nve_disc.h"
 #include "lammps.h"
 #include "mikromakro_version.h"
@@ -32,8 +34,10 @@ void run_command(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) {
   T(engine).command(narg, arg);
 }
 
-const std::map<std::string, FixCreator> fixes = {{"bottom/friction", make_fix<FixBottomFriction>},
+const std::map<std::string, FixCreator> fixes = {{"biaxial/2d", make_fix<FixBiaxial2d>},
+                                                 {"bottom/friction", make_fix<FixBottomFriction>},
                                                  {"couette/2d", make_fix<FixCouette2d>},
+                                                 {"energy/disc", make_fix<FixEnergyDisc>},
                                                  {"nve/disc", make_fix<FixNveDisc>}};
 const std::map<std::string, ComputeCreator> computes = {{"contact/disc", make_compute<ComputeContactDisc>}};
 const std::map<std::string, CommandCreator> commands = {{"create_discs", run_command<CreateDiscs>},

@@ -15,7 +15,8 @@ using physics::Effects;
 using physics::Tangential;
 
 int SmoothWalls::add(int id, const std::string& name, int type) {
-  kinds_.push_back({id, name, type});
+  kinds_.push_back({id, type});
+  names_.push_back(name);
   near_.emplace_back();
   loads_.emplace_back();
   return static_cast<int>(kinds_.size()) - 1;
@@ -24,12 +25,6 @@ int SmoothWalls::add(int id, const std::string& name, int type) {
 void SmoothWalls::act_on(int group_bit, int but_not_on_bits) {
   group_bit_ = group_bit;
   excluded_bits_ = but_not_on_bits;
-}
-
-std::vector<int> SmoothWalls::types() const {
-  std::vector<int> types;
-  for (const Kind& kind : kinds_) types.push_back(kind.type);
-  return types;
 }
 
 template <Effects effects>
@@ -59,7 +54,7 @@ void SmoothWalls::init(const std::vector<physics::SmoothWall>& walls) {
   has_run_ = true;
   const PairGranDisc& law = *active_disc_law(*lmp);
   parameters_.clear();
-  for (const Kind& kind : kinds_) {
+  for (const WallKind& kind : kinds_) {
     auto& of_wall = parameters_.emplace_back();
     for (int type = 1; type <= atom->ntypes; ++type) of_wall.push_back(law.parameters(type, kind.type));
   }
@@ -102,7 +97,7 @@ void SmoothWalls::check_cuts(const std::vector<physics::SmoothWall>& walls) cons
   if (mine != worst.id) wall_of_worst = 0;  // only the rank that owns the disc knows the wall
   MPI_Allreduce(MPI_IN_PLACE, &wall_of_worst, 1, MPI_INT, MPI_MAX, world);
   stop(*lmp, style_,
-       kinds_[wall_of_worst].name + ": expected a wall that cuts through no disc, got an overlap of " +
+       names_[wall_of_worst] + ": expected a wall that cuts through no disc, got an overlap of " +
            text_of(worst.depth) + " radii with disc " + std::to_string(worst.id));
 }
 

@@ -27,7 +27,7 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   int add(int id, const std::string& name, int type);
   bool any() const { return !kinds_.empty(); }
   void act_on(int group_bit, int but_not_on_bits);
-  std::vector<int> types() const;
+  const std::vector<WallKind>& kinds() const { return kinds_; }
 
   /// Ends the run where a wall cuts through a disc, to half of its radius or more. For new walls.
   void check_cuts(const std::vector<physics::SmoothWall>& walls) const;
@@ -58,11 +58,6 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   static constexpr int no_slot = -1;
   using Springs = std::array<physics::WallSpring, most_walls>;
   using Loop = void (SmoothWalls::*)(int number, const physics::SmoothWall& wall);
-  struct Kind {
-    int id;
-    std::string name;
-    int type;
-  };
   struct Recorded {
     int disc;
     ContactRow row;
@@ -85,7 +80,8 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   int group_bit_ = 1;
   int excluded_bits_ = 0;
   bool has_run_ = false;
-  std::vector<Kind> kinds_;
+  std::vector<WallKind> kinds_;
+  std::vector<std::string> names_;
   std::vector<std::vector<physics::ContactParameters>> parameters_;  // of each wall with each type
   Loop loop_ = nullptr;
   physics::StepOfSlip step_{0.0, false};

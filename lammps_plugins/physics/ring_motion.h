@@ -7,30 +7,15 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
+#include "physics/half_cosine.h"
 #include "physics/plane_vector.h"
 
 namespace mikromakro::physics {
 
-// R(t) = R_end + (R_start - R_end)/2 (1 + cos(pi t/T)) for t < T, then R_end (m); the rate is zero at both
-// ends, so that the wall neither hits nor leaves the discs at once. T = 0: the radius is R_end from the
-// start.
-struct RadiusCourse {
-  double start = 0.0;     // m
-  double end = 0.0;       // m
-  double duration = 0.0;  // s
-
-  [[nodiscard]] double radius(double time) const {
-    if (time >= duration) return end;
-    return end + 0.5 * (start - end) * (1.0 + std::cos(std::numbers::pi * time / duration));
-  }
-  // dR/dt (m/s)
-  [[nodiscard]] double rate(double time) const {
-    if (time >= duration) return 0.0;
-    const double frequency = std::numbers::pi / duration;
-    return 0.5 * (end - start) * frequency * std::sin(frequency * time);
-  }
+// The radius in time (m).
+struct RadiusCourse : HalfCosine {
+  [[nodiscard]] double radius(double time) const { return value(time); }
 };
 
 // A ring at one instant; made once per ring and step, used for all its discs.
