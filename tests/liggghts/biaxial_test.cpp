@@ -1,0 +1,223 @@
+// fix biaxial/2d in the engine: how its walls move, what they feel, energy, restart; on one rank and on more.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "engine.h"
+#include "fix.h"
+#include "modify.h"
+
+namespace mikromakro::test {
+namespace {
+
+constexpr double a = 5e-3, density = 6.36, k_n = 352.1;
+
+double value(Engine& engine, int number, const char* id = "walls") {
+  auto* modify = engine.lammps().modify;
+  return modify->fix[modify->find_fix(id)]->compute_vector(number - 1);
+}
+
+std::string box(const std::string& tangential = "off", const Material& material = {}) {
+  return scene("model disc/linear tangential " + tangential, material, 0.2);
+}
+std::string walls(const std::string& controls) {
+  return "fix integrate all nve/disc\ntimestep 4e-5\ncompute contacts all contact/disc\n"
+         "fix walls all biaxial/2d type 2 " +
+         controls + "\n";
+}
+
+// z(T/3) = z_f + (z_0 - z_f)/2 (1 + cos(pi/3)) = 0.06 + 0.02 * 1.5 = 0.09 with T = 0.03 s; rate
+// (0.06 - 0.1)/2 pi/T sin(pi/3). The right wall moves by 0.5 m/s * 0.01 s.
+TEST(Biaxial, StrainControlledWallsFollowTheirCourse) {
+  Engine engine;
+  engine.run(
+      box() + disc(1, 0, 0, a) +
+      walls("left -0.1 fixed right 0.1 strain rate 0.5 bottom -0.1 fixed top 0.1 strain cosine 0.06 0.03") +
+      "run 250\n");
+  EXPECT_EQ(value(engine, 1), -0.1);
+  EXPECT_DOUBLE_EQ(value(engine, 2), 0.105);
+  EXPECT_DOUBLE_EQ(value(engine, 4), 0.09);
+  EXPECT_EQ(value(engine, 6), 0.5);
+  EXPECT_NEAR(value(engine, 8), -0.02 * M_PI / 0.03 * std::sin(M_PI / 3), 1e-14);
+  EXPECT_DOUBLE_EQ(value(engine, 17), 0.205 / 0.2 - 1);
+  EXPECT_DOUBLE_EQ(value(engine, 18), 0.19 / 0.2 - 1);
+  EXPECT_DOUBLE_EQ(value(engine, 19), 0.205 * 0.19 / 0.04 - 1);
+  engine.run("run 1000\n");
+  EXPECT_EQ(value(engine, 4), 0.06);
+  EXPECT_EQ(value(engine, 8), 0.0);
+}
+
+// Without discs at the right wall its acceleration is -p L H/m = -50 * 0.2 * 0.01/0.2 = -0.5 m/s^2, and it is
+// left to velocity Verlet, which is exact.
+TEST(Biaxial, StressControlledWallFallsFreely) {
+  Engine engine;
+  engine.run(box() + disc(1, -0.05, 0, a) +
+             walls("left -0.1 fixed right 0.1 stress 50 mass 0.2 damping 0 bottom -0.1 fixed top 0.1 fixed "
+                   "height 0.01") +
+             "run 1000\n");
+  EXPECT_NEAR(value(engine, 2), 0.1 - 0.25 * 0.04 * 0.04, 1e-15);
+  EXPECT_NEAR(value(engine, 6), -0.5 * 0.04, 1e-15);
+}
+
+// The force on a wall follows the length of its neighbours: with the top moving, p z(t).
+TEST(Biaxial, TheLoadFollowsTheLengthOfTheWall) {
+  Engine engine;
+  engine.run(
+      box() + disc(1, -0.05, 0, a) +
+      walls(
+          "left -0.1 fixed right 0.1 stress 5 mass 0.2 damping 0 bottom -0.1 fixed top 0.1 strain rate -1") +
+      "run 1000\n");
+  // m x'' = -p (0.2 - t): x = x_0 - p/m (0.1 t^2 - t^3/6). Verlet's velocity is exact for a linear force, its
+  // position is ahead by dt^2/6 times the slope of the acceleration, p/m, per second.
+  const double t = 0.04, dt = 4e-5;
+  EXPECT_NEAR(value(engine, 6), -25 * (0.2 * t - t * t / 2), 1e-14);
+  EXPECT_NEAR(value(engine, 2), 0.1 - 25 * (0.1 * t * t - t * t * t / 6 + dt * dt / 6 * t), 1e-14);
+}
+
+// A disc between both pairs of walls comes to rest where k_n overlap = p L on each of the four.
+TEST(Biaxial, StressControlledWallsBalanceTheirPressure) {
+  Engine engine;
+  engine.run(box("off", {.gamma_n = 0.5}) + disc(1, -0.095, -0.095, a) +
+             walls("left -0.1 fixed bottom -0.1 fixed right -0.09 stress 5 mass 0.01 damping 1 "
+                   "top -0.09 stress 5 mass 0.01 damping 1") +
+             "run 20000\n");
+  const double length = value(engine, 2) + 0.1;
+  EXPECT_NEAR(value(engine, 4) + 0.1, length, 1e-15);
+  for (int wall = 0; wall < 4; ++wall) {
+    EXPECT_NEAR(value(engine, 13 + wall), 5, 1e-9);
+    EXPECT_NEAR(value(engine, 9 + wall), 5 * length, 1e-11);
+    EXPECT_NEAR(value(engine, 5 + wall), 0, 1e-12);
+  }
+  EXPECT_NEAR(engine.contacts().at({-2, 1}).f_n, 5 * length, 1e-11);
+  EXPECT_NEAR(2 * a - length, 2 * 5 * length / k_n, 1e-13);  // two overlaps
+}
+
+// fix_modify: from where and as fast as the walls are; reset: strains from here.
+TEST(Biaxial, ControlsMayChangeBetweenRuns) {
+  Engine engine;
+  engine.run(box() + disc(1, 0, 0, a) +
+             walls("left -0.1 fixed right 0.1 strain rate 0.5 bottom -0.1 fixed top 0.1 fixed") +
+             "run 250\nfix_modify walls right strain rate -0.5 top strain cosine 0.08 0.01 reset\nrun 125\n");
+  EXPECT_DOUBLE_EQ(value(engine, 2), 0.105 - 0.0025);
+  EXPECT_DOUBLE_EQ(value(engine, 4), 0.09);
+  EXPECT_NEAR(value(engine, 17), 0.2025 / 0.205 - 1, 1e-15);
+  engine.run("fix_modify walls right stress 0 mass 1 damping 0 top fixed\nrun 250\n");
+  EXPECT_NEAR(value(engine, 2), 0.1025 - 0.005, 1e-14);  // goes on with its velocity
+  EXPECT_DOUBLE_EQ(value(engine, 4), 0.09);
+}
+
+// An elastic disc is squeezed slowly and let go: the work of the wall is in the overlaps and the motion.
+double energy_error(double dt) {
+  Engine engine;
+  engine.run(
+      box("off", {.gamma_n = 0}) + disc(1, -0.095, 0, a) +
+      walls("left -0.1 fixed right -0.09 strain cosine -0.092 0.05 bottom -0.1 fixed top 0.1 fixed") +
+      fmt::format("timestep {:.17g}\nfix energy all energy/disc\nrun {}\n", dt, std::lround(0.02 / dt)));
+  const double work = value(engine, 21);
+  EXPECT_GT(work, 1e-5);
+  return (value(engine, 1, "energy") + value(engine, 2, "energy")) / work - 1;
+}
+TEST(WorkOfAWall, IsStoredInAnElasticDisc) {
+  const double coarse = energy_error(8e-5), fine = energy_error(2e-5);
+  std::printf("work of a wall: off by %.1e and %.1e\n", coarse, fine);
+  EXPECT_NEAR(std::log(std::abs(coarse / fine)) / std::log(4), 2, 0.3);
+  EXPECT_LT(std::abs(coarse), 1e-3);
+}
+
+/// A small sample, compressed by two walls, then sheared.
+std::string compressed(const std::string& tangential) {
+  return box(tangential, {.gamma_n = 0.5}) +
+         "create_discs box -0.1 0.1 -0.1 0.1 seed 3 density 6.36 velocity 0.1 uniform 150 1 0.003 0.008\n" +
+         walls(
+             "left -0.1 fixed bottom -0.1 fixed right 0.1 stress 5 mass 0.1 damping 3 "
+             "top 0.1 stress 5 mass 0.1 damping 3") +
+         "fix energy all energy/disc\nrun 12000\n";
+}
+const std::string shear = "fix_modify walls top strain rate -0.02 reset\n";
+const char* const laws[] = {"off", "disc/viscous", "disc/cundall_strack",
+                            "disc/cundall_strack tangential_damping on limitForce on"};
+
+class Sample : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(OfEachLaw, Sample, testing::ValuesIn(laws),
+                         [](const auto& info) { return "law_" + std::to_string(info.index); });
+
+// From the first step on: work + initial kinetic energy = kinetic + elastic + heat. 1 % is what is promised;
+// what is left is the error of velocity Verlet.
+TEST_P(Sample, KeepsAccountOfItsEnergy) {
+  Engine engine;
+  engine.run(compressed(GetParam()) + "fix_modify walls top strain rate -0.02\nrun 10000\n");
+  double work = 0, energy = 0;
+  for (int k = 0; k < 4; ++k) work += value(engine, 20 + k);
+  for (int k = 0; k < 5; ++k) energy += value(engine, 1 + k, "energy");
+  Engine start;
+  start.run(
+      box() +
+      "create_discs box -0.1 0.1 -0.1 0.1 seed 3 density 6.36 velocity 0.1 uniform 150 1 0.003 0.008\n");
+  double initial = 0;
+  for (const auto& [id, d] : start.discs()) initial += d.mass * (d.v_x * d.v_x + d.v_y * d.v_y) / 2;
+  std::printf("tangential %s: energy account off by %.1e of the work\n", GetParam(),
+              (work + initial - energy) / work);
+  EXPECT_GT(work, 10 * initial);
+  EXPECT_NEAR(energy / (work + initial), 1, 1e-2);
+}
+
+// 1 rank against all of this run. Rounding grows in the collisions of the compression, which are many contact
+// durations, and is damped in the packing.
+TEST_P(Sample, GivesTheSameWallForcesOnAnyNumberOfRanks) {
+  double one[27], all[27];
+  for (const bool alone : {true, false}) {
+    Engine engine(alone ? MPI_COMM_SELF : MPI_COMM_WORLD);
+    engine.run(compressed(GetParam()) + shear + "run 100\n");
+    for (int k = 0; k < 27; ++k) (alone ? one : all)[k] = value(engine, k + 1);
+  }
+  EXPECT_GT(one[12], 1);
+  for (int k = 0; k < 27; ++k)
+    EXPECT_NEAR(one[k], all[k], 1e-8 * std::abs(one[k]) + 1e-12) << "value " << k + 1;
+}
+
+class BiaxialRestart : public testing::Test {
+ protected:
+  BiaxialRestart() {
+    int number = getpid();
+    MPI_Bcast(&number, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    file_ = testing::TempDir() + "biaxial" + std::to_string(number) + ".restart";
+  }
+  ~BiaxialRestart() override { std::filesystem::remove(file_); }
+  std::string file_;
+};
+
+// Set-ups evaluate dashpots with other velocities than steps do, so the uninterrupted run has one there, too.
+TEST_F(BiaxialRestart, ContinuesWallsSpringsAndHeat) {
+  const std::string law = laws[2];
+  Engine engine;
+  engine.run(compressed(law) + shear + "run 200\nwrite_restart " + file_ + "\nrun 200\n");
+  std::vector<double> expected;
+  for (int k = 1; k <= 27; ++k) expected.push_back(value(engine, k));
+  const double heat = value(engine, 4, "energy"), friction = value(engine, 5, "energy");
+  const auto contacts = engine.contacts();
+  engine.run(
+      "clear\nnewton off\ncommunicate single vel yes\natom_modify map array\nread_restart " + file_ +
+      "\nneighbor 0.001 bin\nneigh_modify delay 0\npair_style gran model disc/linear tangential " + law +
+      "\npair_coeff * *\n" + constants({.gamma_n = 0.5}, 2) +
+      walls("left 0 fixed bottom 0 fixed right 0.1 stress 5 mass 0.1 damping 3 top 0.1 strain rate -0.02") +
+      "fix energy all energy/disc\nrun 200\n");
+  for (int k = 1; k <= 27; ++k)
+    EXPECT_EQ(value(engine, k), expected[k - 1]) << "value " << k;  // same arithmetic
+  EXPECT_EQ(value(engine, 4, "energy"), heat);
+  EXPECT_EQ(value(engine, 5, "energy"), friction);
+  const auto again = engine.contacts();
+  ASSERT_EQ(again.size(), contacts.size());
+  int with_spring = 0;
+  for (const auto& [ids, contact] : contacts) {
+    with_spring += ids.first < 0 && contact.xi != 0;
+    EXPECT_EQ(again.at(ids).xi, contact.xi);
+    EXPECT_EQ(again.at(ids).f_n, contact.f_n);
+  }
+  EXPECT_GT(with_spring, 5);
+}
+
+}  // namespace
+}  // namespace mikromakro::test
