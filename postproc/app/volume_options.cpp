@@ -14,6 +14,7 @@ namespace mikromakro {
 namespace {
 
 Branch branch_of(const std::string& name) {
+  if (name.empty()) return Branch::by_weight;
   if (name == "radius") return Branch::radius;
   if (name == "contact") return Branch::contact;
   throw bad_input({"--branch"}, "unknown branch vector", "radius or contact", in_quotes(name));
@@ -84,11 +85,16 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
   app.add_option("--grid", options.grid, "XMIN XMAX NX YMIN YMAX NY: NX by NY equal rectangles (m)")
       ->expected(6);
   app.add_option("--box", options.box, "XMIN XMAX YMIN YMAX: one rectangle (m)")->expected(4);
-  app.add_option("--weight", options.weight, "sliced (area of the disc in the volume, default) or centre");
+  app.add_option(
+      "--weight", options.weight,
+      "sliced (area of the disc in the volume, default), centre, or a kernel of width W in m: gauss:W "
+      "(standard deviation), lucy:W, wendland:W, tophat:W (radius of the support)");
   app.add_option("--height", options.height, "thickness of the discs (m), default 1");
   app.add_option("--bulk-types", options.bulk_types, "types that are averaged, default all")->delimiter(',');
-  app.add_option("--branch", options.branch,
-                 "branch vector: radius (a_p n, default) or contact (to the contact point)");
+  app.add_option(
+      "--branch", options.branch,
+      "branch vector: radius (a_p n; default but for kernels) or contact (to the contact point; default "
+      "for kernels)");
 }
 
 bool are_rings(const VolumeOptions& options) {
@@ -128,7 +134,8 @@ void describe_volumes(const VolumeOptions& options, Preamble& lines) {
   if (options.sectors > 0) lines.emplace_back("sectors", fmt::format("{}", options.sectors));
   if (options.grid.empty() && options.box.empty()) add("center", options.center, " ");
   lines.emplace_back("weight", options.weight);
-  lines.emplace_back("branch", options.branch);
+  const bool to_contact = options.branch.empty() && make_weight(options.weight)->is_kernel();
+  lines.emplace_back("branch", to_contact ? "contact" : options.branch.empty() ? "radius" : options.branch);
   lines.emplace_back("height", fmt::format("{} m", options.height));
   lines.emplace_back("bulk types", options.bulk_types.empty()
                                        ? "all"

@@ -13,8 +13,8 @@ namespace mikromakro {
 
 struct VolumeOptions {
   std::vector<double> rings, center = {0, 0}, edges, grid, box;
-  int sectors = 0;  ///< 0: whole rings
-  std::string weight = "sliced", branch = "radius";
+  int sectors = 0;                        ///< 0: whole rings
+  std::string weight = "sliced", branch;  ///< no branch: the one that goes with the weight
   double height = 1;
   std::vector<int> bulk_types;
 };

@@ -8,13 +8,20 @@ namespace mikromakro {
 
 // Memory used again for every disc of a frame.
 struct Averager::Scratch {
-  std::vector<Share> shares;
+  Bulk bulk;
+  ShareSums shares;
+  Eigen::Matrix2d basis;
+  Disc disc;
   std::vector<DiscContact> contacts;
   Eigen::Array<double, 1, Eigen::Dynamic> quantity;
-  double mean_radius = 0;
 };
 
 namespace {
+
+Branch branch_of(Branch given, const Weight& weight) {
+  if (given != Branch::by_weight) return given;
+  return weight.is_kernel() ? Branch::contact : Branch::radius;
+}
 
 // The fields whose columns a field takes, among those before it.
 std::vector<std::size_t> find_sources(const FieldList& fields, std::size_t of) {
@@ -34,12 +41,17 @@ Averager::Averager(std::unique_ptr<const Volumes> volumes, std::unique_ptr<const
                    FieldList fields, const AveragingOptions& options)
     : volumes_(std::move(volumes)),
       weight_(std::move(weight)),
+      shares_(weight_->in(*volumes_)),
       fields_(std::move(fields)),
       offsets_{0},
-      options_(options) {
+      options_(options),
+      branch_(branch_of(options.branch, *weight_)) {
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     offsets_.push_back(offsets_.back() + static_cast<std::size_t>(fields_[i].field->sums()));
     sources_.push_back(find_sources(fields_, i));
+    const ContactPlace place = fields_[i].field->contact_place();
+    on_branches_ |= shares_->of_places() && place == ContactPlace::branch;
+    at_walls_ |= shares_->of_places() && place == ContactPlace::wall_point;
   }
 }
 
@@ -48,15 +60,19 @@ bool Averager::is_bulk(const Particle& particle) const {
   return types.empty() || std::find(types.begin(), types.end(), particle.type) != types.end();
 }
 
-double Averager::mean_radius(const Frame& frame) const {
+Averager::Bulk Averager::bulk_of(const Frame& frame) const {
+  Bulk bulk;
+  bulk.holds.reserve(frame.particles.size());
   double sum = 0;
   int count = 0;
   for (const Particle& particle : frame.particles) {
-    if (!is_bulk(particle)) continue;
+    bulk.holds.push_back(is_bulk(particle));
+    if (!bulk.holds.back()) continue;
     sum += particle.radius;
     ++count;
   }
-  return sum / count;
+  bulk.mean_radius = sum / count;
+  return bulk;
 }
 
 Rows Averager::frame_sums(const Frame& frame) const {
@@ -64,47 +80,93 @@ Rows Averager::frame_sums(const Frame& frame) const {
   const ContactLists lists(frame);
   Scratch scratch;
   scratch.quantity.resize(sums.cols());
-  scratch.mean_radius = mean_radius(frame);
+  scratch.bulk = bulk_of(frame);
   for (int i = 0; i < static_cast<int>(frame.particles.size()); ++i) {
+    if (!scratch.bulk.holds[static_cast<std::size_t>(i)]) continue;
     const Particle& particle = frame.particles[static_cast<std::size_t>(i)];
-    if (!is_bulk(particle)) continue;
-    weight_->shares(*volumes_, particle.position, particle.radius, scratch.shares);
-    if (scratch.shares.empty()) continue;
+    scratch.shares.clear();
+    shares_->of_disc(particle.position, particle.radius, scratch.shares);
+    // A branch may reach where its disc does not count.
+    if (scratch.shares.list().empty() && !on_branches_ && !at_walls_) continue;
     collect(frame, i, lists.of(i), scratch);
-    for (const Share& share : scratch.shares) sums.row(share.volume) += share.weight * scratch.quantity;
+    for (const Share& share : scratch.shares.list())
+      sums.row(share.volume) += share.weight * scratch.quantity;
+    if (on_branches_ || at_walls_) add_placed(particle.position, scratch, sums);
   }
   return sums;
 }
 
-// V^p Q^p of one disc for all fields, in the basis at its centre.
+DiscContact Averager::contact_of(const Frame& frame, const ContactEnd& end, const Scratch& scratch) const {
+  const Contact& contact = frame.contacts[static_cast<std::size_t>(end.contact)];
+  const double side = end.first ? 1.0 : -1.0;
+  const Eigen::Vector2d normal = scratch.basis * (side * contact.normal);
+  const double cut = branch_ == Branch::radius ? 0.0
+                     : contact.with_wall()     ? contact.overlap
+                                               : 0.5 * contact.overlap;
+  const int partner = end.first ? contact.index2 : contact.index1;
+  const bool with_wall = partner < 0 || !scratch.bulk.holds[static_cast<std::size_t>(partner)];
+  return {normal,
+          scratch.basis * (side * contact.force),
+          (scratch.disc.radius - cut) * normal,
+          contact.overlap,
+          contact.spring,
+          with_wall};
+}
+
+// V^p Q^p of one disc for all fields, in the basis at its centre; without contacts that have shares of their
+// own.
 void Averager::collect(const Frame& frame, int particle, std::span<const ContactEnd> ends,
                        Scratch& scratch) const {
   const Particle& from = frame.particles[static_cast<std::size_t>(particle)];
-  const Eigen::Matrix2d basis = volumes_->basis(from.position);
-  scratch.contacts.clear();
-  for (const ContactEnd& end : ends) {
-    const Contact& contact = frame.contacts[static_cast<std::size_t>(end.contact)];
-    const double side = end.first ? 1.0 : -1.0;
-    const Eigen::Vector2d normal = basis * (side * contact.normal);
-    const double cut = options_.branch == Branch::radius ? 0.0
-                       : contact.with_wall()             ? contact.overlap
-                                                         : 0.5 * contact.overlap;
-    scratch.contacts.push_back({normal, basis * (side * contact.force), (from.radius - cut) * normal,
-                                contact.overlap, contact.spring});
-  }
-  Disc disc;
+  scratch.basis = volumes_->basis(from.position);
+  Disc& disc = scratch.disc;
   disc.volume = std::numbers::pi * from.radius * from.radius * volumes_->height();
   disc.radius = from.radius;
   disc.mass = from.mass;
-  disc.velocity = basis * from.velocity;
+  disc.velocity = scratch.basis * from.velocity;
   disc.spin = from.spin;
   disc.contacts = static_cast<int>(ends.size());
-  disc.mean_radius = scratch.mean_radius;
+  disc.mean_radius = scratch.bulk.mean_radius;
+  scratch.contacts.clear();
+  for (const ContactEnd& end : ends) scratch.contacts.push_back(contact_of(frame, end, scratch));
   scratch.quantity.setZero();
   for (std::size_t i = 0; i < fields_.size(); ++i) {
+    const Field& field = *fields_[i].field;
     const std::span<double> quantity(scratch.quantity.data() + offsets_[i], offsets_[i + 1] - offsets_[i]);
-    fields_[i].field->add_disc(disc, quantity);
-    fields_[i].field->add_contacts(disc, scratch.contacts, quantity);
+    field.add_disc(disc, quantity);
+    if (field.contact_place() == ContactPlace::disc || !shares_->of_places())
+      field.add_contacts(disc, scratch.contacts, quantity);
+  }
+}
+
+// The contacts of one disc for the fields for which they do not count where the disc is.
+void Averager::add_placed(const Eigen::Vector2d& centre, Scratch& scratch, Rows& sums) const {
+  for (const DiscContact& contact : scratch.contacts) {
+    const Eigen::Vector2d branch = scratch.basis.transpose() * contact.branch;
+    if (on_branches_) {
+      scratch.shares.clear();
+      shares_->of_branch(centre, branch, scratch.shares);
+      add_contact(ContactPlace::branch, contact, scratch, sums);
+    }
+    if (!at_walls_ || !contact.with_wall) continue;
+    scratch.shares.clear();
+    shares_->of_point(centre + branch, scratch.shares);
+    add_contact(ContactPlace::wall_point, contact, scratch, sums);
+  }
+}
+
+void Averager::add_contact(ContactPlace place, const DiscContact& contact, Scratch& scratch,
+                           Rows& sums) const {
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    const Field& field = *fields_[i].field;
+    if (field.contact_place() != place) continue;
+    const auto offset = static_cast<Eigen::Index>(offsets_[i]);
+    auto quantity = scratch.quantity.segment(offset, field.sums());
+    quantity.setZero();
+    field.add_contacts(scratch.disc, {&contact, 1},
+                       {quantity.data(), static_cast<std::size_t>(field.sums())});
+    for (const Share& share : scratch.shares.list())
+      sums.row(share.volume).segment(offset, field.sums()) += share.weight * quantity;
   }
 }
 
@@ -181,7 +243,7 @@ ColumnSet Averager::particles_needed() const {
 }
 
 ColumnSet Averager::contacts_needed() const {
-  ColumnSet needed = options_.branch == Branch::contact ? column_set(ContactColumn::overlap) : 0;
+  ColumnSet needed = branch_ == Branch::contact ? column_set(ContactColumn::overlap) : 0;
   for (const ListedField& listed : fields_) needed |= listed.field->contacts_needed();
   return needed;
 }

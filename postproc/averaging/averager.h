@@ -13,13 +13,14 @@
 namespace mikromakro {
 
 /// Where the branch vector of a contact ends: l = a_p n as in the seed, or at the contact point in the middle
-/// of the overlap.
-enum class Branch { radius, contact };
+/// of the overlap. By the weight: radius, but contact for kernels, so that both branches of a contact meet
+/// and momentum balances.
+enum class Branch { by_weight, radius, contact };
 
 /// Which discs are averaged, and how.
 struct AveragingOptions {
   std::vector<int> bulk_types;  ///< empty: all; discs of other types are walls
-  Branch branch = Branch::radius;
+  Branch branch = Branch::by_weight;
 };
 
 /// Seed Eq. 4, Q = 1/V sum_p w^p V^p Q^p, for all volumes and fields at once.
@@ -48,19 +49,34 @@ class Averager {
   ColumnSet contacts_needed() const;
   bool needs_contacts() const;
 
+  /// The one that was chosen.
+  Branch branch() const { return branch_; }
+
  private:
   struct Scratch;
+  // Of all discs of a frame, and their mean radius.
+  struct Bulk {
+    std::vector<bool> holds;  // by the index of the disc
+    double mean_radius = 0;
+  };
   bool is_bulk(const Particle& particle) const;
-  double mean_radius(const Frame& frame) const;
+  Bulk bulk_of(const Frame& frame) const;
   Rows numbers(std::size_t field, const Rows& mean_sums, const std::vector<Rows>& solved) const;
   void collect(const Frame& frame, int particle, std::span<const ContactEnd> ends, Scratch& scratch) const;
+  DiscContact contact_of(const Frame& frame, const ContactEnd& end, const Scratch& scratch) const;
+  void add_placed(const Eigen::Vector2d& centre, Scratch& scratch, Rows& sums) const;
+  void add_contact(ContactPlace place, const DiscContact& contact, Scratch& scratch, Rows& sums) const;
 
   std::unique_ptr<const Volumes> volumes_;
   std::unique_ptr<const Weight> weight_;
+  std::unique_ptr<const Shares> shares_;  ///< of the weight in the volumes
   FieldList fields_;
   std::vector<std::size_t> offsets_;               ///< of each field's numbers; the last one is their total
   std::vector<std::vector<std::size_t>> sources_;  ///< of each field, as indices
   AveragingOptions options_;
+  Branch branch_;
+  bool on_branches_ = false;  ///< whether a field's contacts have shares along their branches
+  bool at_walls_ = false;     ///< or at walls
 };
 
 }  // namespace mikromakro

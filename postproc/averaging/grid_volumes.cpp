@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "averaging/disc_corner_area.h"
+#include "averaging/grid_kernel.h"
 #include "io/error.h"
 
 namespace mikromakro {
@@ -88,6 +90,10 @@ int GridVolumes::find(const Eigen::Vector2d& point) const {
   const int i = interval_of(x_edges_, point[0]);
   const int j = interval_of(y_edges_, point[1]);
   return i < 0 || j < 0 ? -1 : j * columns_of_cells() + i;
+}
+
+std::unique_ptr<const PointShares> GridVolumes::point_shares(std::shared_ptr<const Kernel> kernel) const {
+  return grid_kernel(std::move(kernel), x_edges_, y_edges_);
 }
 
 std::vector<Column> GridVolumes::columns() const {

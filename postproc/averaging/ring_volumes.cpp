@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "averaging/disc_circle_area.h"
+#include "averaging/ring_kernel.h"
 #include "io/error.h"
 
 namespace mikromakro {
@@ -80,6 +82,10 @@ int RingVolumes::find(const Eigen::Vector2d& point) const {
   const double distance = (point - centre_).norm();
   if (distance < edges_.front() || distance >= edges_.back()) return -1;
   return static_cast<int>(std::upper_bound(edges_.begin(), edges_.end(), distance) - edges_.begin()) - 1;
+}
+
+std::unique_ptr<const PointShares> RingVolumes::point_shares(std::shared_ptr<const Kernel> kernel) const {
+  return std::make_unique<const RingKernel>(std::move(kernel), centre_, edges_);
 }
 
 std::vector<Column> RingVolumes::columns() const {

@@ -20,6 +20,7 @@ class RingVolumes : public Volumes {
   Eigen::ArrayXd radii() const override;
   void slice(const Eigen::Vector2d& centre, double radius, std::vector<Share>& shares) const override;
   int find(const Eigen::Vector2d& point) const override;
+  std::unique_ptr<const PointShares> point_shares(std::shared_ptr<const Kernel> kernel) const override;
   std::vector<Column> columns() const override;
   Rows coordinates() const override;
 

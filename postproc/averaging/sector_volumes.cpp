@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "averaging/disc_corner_area.h"
+#include "averaging/sector_kernel.h"
 #include "io/error.h"
 
 namespace mikromakro {
@@ -18,7 +19,6 @@ SectorVolumes::SectorVolumes(std::unique_ptr<const RingVolumes> rings, int secto
     throw bad_input({"--sectors"}, "no sectors", "a whole number M of 1 or more", fmt::format("{}", sectors));
 }
 
-// Any number of turns: -1 is the last one.
 double SectorVolumes::angle(int sector) const {
   return 2 * std::numbers::pi * sector / sectors_;
 }
@@ -30,8 +30,6 @@ Eigen::ArrayXd SectorVolumes::measure() const {
   return measure;
 }
 
-// The sectors that a disc touches, from the first to before the last, numbers over any number of turns; all
-// of them around the centre.
 SectorVolumes::SectorRange SectorVolumes::sectors_near(double direction, double distance,
                                                        double radius) const {
   constexpr double rounding = 1e-12;  // of the angles
@@ -84,6 +82,10 @@ int SectorVolumes::find(const Eigen::Vector2d& point) const {
   if (sector > 0 && direction < angle(sector)) --sector;
   if (sector < sectors_ - 1 && direction >= angle(sector + 1)) ++sector;
   return ring * sectors_ + sector;
+}
+
+std::unique_ptr<const PointShares> SectorVolumes::point_shares(std::shared_ptr<const Kernel> kernel) const {
+  return std::make_unique<const SectorKernel>(std::move(kernel), *this);
 }
 
 std::vector<Column> SectorVolumes::columns() const {

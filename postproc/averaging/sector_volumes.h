@@ -20,17 +20,23 @@ class SectorVolumes : public Volumes {
   Eigen::Matrix2d basis(const Eigen::Vector2d& point) const override { return rings_->basis(point); }
   void slice(const Eigen::Vector2d& centre, double radius, std::vector<Share>& shares) const override;
   int find(const Eigen::Vector2d& point) const override;
+  std::unique_ptr<const PointShares> point_shares(std::shared_ptr<const Kernel> kernel) const override;
   std::vector<Column> columns() const override;
   Rows coordinates() const override;
 
- private:
+  const RingVolumes& rings() const { return *rings_; }
+  /// Where a sector begins (rad, from the x direction); for any number of turns, -1 is the last one.
+  double angle(int sector) const;
+  /// Numbers over any number of turns, at most a turn: from the first to before the last.
   struct SectorRange {
     int first;
     int last;
   };
-  double angle(int sector) const;
+  /// The sectors that a disc reaches into, given the direction and the distance of its centre from that of
+  /// the rings; all of them around the centre.
   SectorRange sectors_near(double direction, double distance, double radius) const;
 
+ private:
   std::unique_ptr<const RingVolumes> rings_;
   int sectors_;
 };

@@ -2,18 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
+#include <memory>
 #include <vector>
 
+#include "averaging/kernel.h"
+#include "averaging/shares.h"
 #include "fields/field.h"
 
 namespace mikromakro {
-
-/// Share of a disc (or a point) in one volume.
-struct Share {
-  int volume;
-  double weight;
-};
 
 /// Parts of a disc below this are rounding and left out where areas come as differences of areas at corners.
 inline constexpr double smallest_share = 4e-15;
@@ -42,6 +38,8 @@ class Volumes {
   virtual void slice(const Eigen::Vector2d& centre, double radius, std::vector<Share>& shares) const = 0;
   /// The volume that holds the point, -1 for none.
   virtual int find(const Eigen::Vector2d& point) const = 0;
+  /// Integrals of a kernel around a point over each volume. The volumes must live as long as the result.
+  virtual std::unique_ptr<const PointShares> point_shares(std::shared_ptr<const Kernel> kernel) const = 0;
 
   /// Columns that tell where a volume lies, and their values.
   virtual std::vector<Column> columns() const = 0;

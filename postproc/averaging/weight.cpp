@@ -1,26 +1,51 @@
 #include "averaging/weight.h"
 
+#include "averaging/kernel_weight.h"
 #include "io/error.h"
 
 namespace mikromakro {
+namespace {
 
-void SlicedWeight::shares(const Volumes& volumes, const Eigen::Vector2d& centre, double radius,
-                          std::vector<Share>& shares) const {
-  shares.clear();
-  volumes.slice(centre, radius, shares);
+class SlicedShares : public Shares {
+ public:
+  explicit SlicedShares(const Volumes& volumes) : volumes_(volumes) {}
+  void of_disc(const Eigen::Vector2d& centre, double radius, ShareSums& shares) const override {
+    volumes_.slice(centre, radius, shares.list());
+  }
+
+ private:
+  const Volumes& volumes_;
+};
+
+class CentreShares : public Shares {
+ public:
+  explicit CentreShares(const Volumes& volumes) : volumes_(volumes) {}
+  void of_disc(const Eigen::Vector2d& centre, double /*radius*/, ShareSums& shares) const override {
+    const int volume = volumes_.find(centre);
+    if (volume >= 0) shares.list().push_back({volume, 1.0});
+  }
+
+ private:
+  const Volumes& volumes_;
+};
+
+}  // namespace
+
+std::unique_ptr<const Shares> SlicedWeight::in(const Volumes& volumes) const {
+  return std::make_unique<const SlicedShares>(volumes);
 }
 
-void CentreWeight::shares(const Volumes& volumes, const Eigen::Vector2d& centre, double /*radius*/,
-                          std::vector<Share>& shares) const {
-  shares.clear();
-  const int volume = volumes.find(centre);
-  if (volume >= 0) shares.push_back({volume, 1.0});
+std::unique_ptr<const Shares> CentreWeight::in(const Volumes& volumes) const {
+  return std::make_unique<const CentreShares>(volumes);
 }
 
 std::unique_ptr<const Weight> make_weight(const std::string& name) {
   if (name == "sliced") return std::make_unique<const SlicedWeight>();
   if (name == "centre") return std::make_unique<const CentreWeight>();
-  throw bad_input({"--weight"}, "unknown weight", "sliced or centre", in_quotes(name));
+  if (auto kernel = make_kernel_weight(name)) return kernel;
+  throw bad_input({"--weight"}, "unknown weight",
+                  "sliced, centre, gauss:W, lucy:W, wendland:W or tophat:W with a width W in m",
+                  in_quotes(name));
 }
 
 }  // namespace mikromakro

@@ -3,13 +3,13 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
+#include "averaging/shares.h"
 #include "averaging/volumes.h"
 
 namespace mikromakro {
 
-/// w^p of seed Eq. 4, for all volumes at once.
+/// w^p of seed Eq. 4.
 class Weight {
  public:
   Weight() = default;
@@ -17,26 +17,26 @@ class Weight {
   Weight& operator=(const Weight&) = delete;
   virtual ~Weight() = default;
 
-  /// Replaces `shares` by the volumes in which the disc counts, and by how much (dimensionless).
-  virtual void shares(const Volumes& volumes, const Eigen::Vector2d& centre, double radius,
-                      std::vector<Share>& shares) const = 0;
+  /// What it makes of these volumes, which must live as long as the result.
+  virtual std::unique_ptr<const Shares> in(const Volumes& volumes) const = 0;
+  /// Whether contacts count along their branches, not where their disc is.
+  virtual bool is_kernel() const { return false; }
 };
 
 /// The exact part of the disc's area in each volume.
 class SlicedWeight : public Weight {
  public:
-  void shares(const Volumes& volumes, const Eigen::Vector2d& centre, double radius,
-              std::vector<Share>& shares) const override;
+  std::unique_ptr<const Shares> in(const Volumes& volumes) const override;
 };
 
 /// 1 in the volume that holds the disc's centre.
 class CentreWeight : public Weight {
  public:
-  void shares(const Volumes& volumes, const Eigen::Vector2d& centre, double radius,
-              std::vector<Share>& shares) const override;
+  std::unique_ptr<const Shares> in(const Volumes& volumes) const override;
 };
 
-/// By the name given to --weight: sliced or centre. Throws on any other.
+/// By the name given to --weight: sliced, centre, or a kernel with its width in m, gauss:W, lucy:W,
+/// wendland:W, tophat:W (averaging/kernel_weight.h). Throws on any other.
 std::unique_ptr<const Weight> make_weight(const std::string& name);
 
 }  // namespace mikromakro

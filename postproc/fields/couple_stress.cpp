@@ -18,8 +18,4 @@ void CoupleStress::add_contacts(const Disc& /*disc*/, std::span<const DiscContac
   }
 }
 
-void CoupleStress::solve(const VolumeData& volumes, const ConstRowsRef& numbers, RowsRef columns) const {
-  columns = numbers.colwise() / volumes.measure;
-}
-
 }  // namespace mikromakro

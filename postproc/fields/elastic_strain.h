@@ -15,6 +15,7 @@ class ElasticStrain : public Field {
   std::vector<Column> columns(const Axes& axes) const override;
   ColumnSet contacts_needed() const override { return column_set(ContactColumn::overlap); }
   bool needs_contacts() const override { return true; }
+  ContactPlace contact_place() const override { return ContactPlace::branch; }
   int sums() const override;
   void add_contacts(const Disc& disc, std::span<const DiscContact> contacts,
                     std::span<double> quantity) const override;

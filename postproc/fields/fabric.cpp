@@ -12,8 +12,4 @@ void Fabric::add_contacts(const Disc& disc, std::span<const DiscContact> contact
     add_dyad(disc.volume * contact.normal, contact.normal, quantity);
 }
 
-void Fabric::solve(const VolumeData& volumes, const ConstRowsRef& sums, RowsRef columns) const {
-  columns = sums.colwise() / volumes.measure;
-}
-
 }  // namespace mikromakro

@@ -1,12 +1,12 @@
 // Fabric tensor (seed Table 1).
 #pragma once
 
-#include "fields/field.h"
+#include "fields/volume_sum.h"
 
 namespace mikromakro {
 
 /// F = 1/V sum_p w^p V^p sum_c n^c (x) n^c, dimensionless (seed Table 1 in Eq. 4).
-class Fabric : public Field {
+class Fabric : public VolumeSum {
  public:
   std::string_view name() const override { return "fabric"; }
   std::vector<Column> columns(const Axes& axes) const override;
@@ -14,7 +14,6 @@ class Fabric : public Field {
   int sums() const override { return 4; }
   void add_contacts(const Disc& disc, std::span<const DiscContact> contacts,
                     std::span<double> quantity) const override;
-  void solve(const VolumeData& volumes, const ConstRowsRef& sums, RowsRef columns) const override;
 };
 
 }  // namespace mikromakro

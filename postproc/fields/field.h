@@ -31,6 +31,7 @@ struct DiscContact {
   Eigen::Vector2d branch;  ///< l^pc, m
   double overlap = 0;      ///< m, > 0
   double spring = 0;       ///< slip xi along t = (-n_y, n_x), the same from either disc; nan: not in the dump
+  bool with_wall = false;  ///< its partner is a wall or a disc that is not averaged
 
   Eigen::Vector2d tangent() const { return {-normal[1], normal[0]}; }
 };
@@ -47,6 +48,14 @@ struct VolumeData {
   Eigen::ArrayXd measure;  ///< V = area * h of each volume, m^3
   double height = 0;       ///< h, m
   Eigen::ArrayXd radius;   ///< r of each ring, ascending, m; empty where the volumes are no rings
+};
+
+/// Where a contact counts when the weight is a kernel (docs/conventions.md, Kernels). With other weights it
+/// counts as its disc does.
+enum class ContactPlace {
+  disc,        ///< at the disc's centre, as what belongs to the disc does
+  branch,      ///< along its branch, as the force that runs through it
+  wall_point,  ///< at the end of its branch, where the wall begins; contacts with averaged discs are left out
 };
 
 /// A field declares the quantity V^p Q^p of one disc in Eq. 4, Q = 1/V sum_p w^p V^p Q^p, as a list of
@@ -76,6 +85,9 @@ class Field {
   /// Whether there must be contacts at all.
   virtual bool needs_contacts() const { return false; }
 
+  /// Where its contacts count. Other places than the disc get them one at a time.
+  virtual ContactPlace contact_place() const { return ContactPlace::disc; }
+
   /// How many numbers are summed; the spans below have this length.
   virtual int sums() const { return 0; }
   /// Adds the disc's own part to `quantity`.
@@ -84,6 +96,8 @@ class Field {
   virtual void add_contacts(const Disc& disc, std::span<const DiscContact> contacts,
                             std::span<double> quantity) const;
 
+  /// Whether all columns are the mean sums over V (fields/volume_sum.h).
+  virtual bool is_volume_sum() const { return false; }
   /// To columns (volumes x columns().size()) from numbers: the mean sums (volumes x sums()), then the columns
   /// of each source. nan where a value is undefined.
   virtual void solve(const VolumeData& volumes, const ConstRowsRef& numbers, RowsRef columns) const = 0;

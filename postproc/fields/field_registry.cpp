@@ -24,6 +24,7 @@
 #include "fields/velocity.h"
 #include "fields/velocity_gradient.h"
 #include "fields/velocity_gradient_fit.h"
+#include "fields/wall_force_density.h"
 #include "io/error.h"
 
 namespace mikromakro {
@@ -89,6 +90,7 @@ constexpr Entry entries[] = {
     {histogram, false},
     {sliding, false},
     {plain<Rattlers>, false},
+    {plain<WallForceDensity>, false},
 };
 
 std::vector<std::string_view> names_of(bool defaults_only) {

@@ -14,8 +14,4 @@ void SolidFraction::add_disc(const Disc& disc, std::span<double> quantity) const
     if (disc.contacts >= least) quantity[static_cast<std::size_t>(least)] += disc.volume;
 }
 
-void SolidFraction::solve(const VolumeData& volumes, const ConstRowsRef& sums, RowsRef columns) const {
-  columns = sums.colwise() / volumes.measure;
-}
-
 }  // namespace mikromakro

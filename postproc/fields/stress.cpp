@@ -11,8 +11,4 @@ void Stress::add_contacts(const Disc& /*disc*/, std::span<const DiscContact> con
   for (const DiscContact& contact : contacts) add_dyad(contact.force, contact.branch, quantity);
 }
 
-void Stress::solve(const VolumeData& volumes, const ConstRowsRef& sums, RowsRef columns) const {
-  columns = sums.colwise() / volumes.measure;
-}
-
 }  // namespace mikromakro

@@ -18,9 +18,9 @@ constexpr double pi = std::numbers::pi;
 constexpr double rounding = 1e-12;  // 10^2 terms of size 1
 
 std::vector<Share> shares_of(const Volumes& volumes, const Eigen::Vector2d& centre, double radius) {
-  std::vector<Share> shares;
-  SlicedWeight().shares(volumes, centre, radius, shares);
-  return shares;
+  ShareSums shares;
+  SlicedWeight().in(volumes)->of_disc(centre, radius, shares);
+  return shares.list();
 }
 
 double sum_of_shares(const Volumes& volumes, const Eigen::Vector2d& centre, double radius) {

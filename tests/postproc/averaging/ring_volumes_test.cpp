@@ -16,10 +16,10 @@ namespace {
 const Eigen::Vector2d origin = Eigen::Vector2d::Zero();
 
 double sum_of_shares(const Volumes& rings, const Eigen::Vector2d& centre, double radius) {
-  std::vector<Share> shares;
-  SlicedWeight().shares(rings, centre, radius, shares);
+  ShareSums shares;
+  SlicedWeight().in(rings)->of_disc(centre, radius, shares);
   double sum = 0;
-  for (const Share& share : shares) sum += share.weight;
+  for (const Share& share : shares.list()) sum += share.weight;
   return sum;
 }
 

@@ -24,9 +24,9 @@ SectorVolumes sectors_of(const std::vector<double>& edges, int sectors,
 }
 
 std::vector<Share> shares_of(const Volumes& volumes, const Eigen::Vector2d& centre, double radius) {
-  std::vector<Share> shares;
-  SlicedWeight().shares(volumes, centre, radius, shares);
-  return shares;
+  ShareSums shares;
+  SlicedWeight().in(volumes)->of_disc(centre, radius, shares);
+  return shares.list();
 }
 
 double sum_of_shares(const Volumes& volumes, const Eigen::Vector2d& centre, double radius) {

@@ -4,46 +4,19 @@
 #include <cmath>
 #include <numbers>
 
-#include "io/frame_stream.h"
 #include "measured_error.h"
-#include "ring_average.h"
+#include "shear_cell_frame.h"
 
 namespace mikromakro {
 namespace {
 
-constexpr double k_n = 352.1;
-constexpr int rings = 60;
-
-Frame read_snapshot() {
-  FrameSource source;
-  source.particle_files = {TEST_DATA "/reference/couette_small_particles.dump.gz"};
-  source.contact_files = {TEST_DATA "/reference/couette_small_contacts.dump.gz"};
-  FrameStream stream(source);
-  Frame frame;
-  EXPECT_TRUE(stream.next(frame));
-  return frame;
-}
-
-Frame with_elastic_normal_forces(Frame frame) {
-  for (Contact& contact : frame.contacts) contact.force = -k_n * contact.overlap * contact.normal;
-  return frame;
-}
-
-RingSetup cell() {
-  RingSetup setup;
-  setup.edges = equal_ring_edges(0.1032, 0.1782, rings);
-  setup.height = 0.006;
-  setup.options.bulk_types = {1, 2};
-  setup.fields = {"all"};
-  setup.field_options = {k_n, 0.44, 0};
-  return setup;
-}
+constexpr int rings = shear_cell_ring_count;
 
 // 2 pi E h/k_n = tr F (1 - d_F^2)/(1 - d_B d_F cos 2(phi_B - phi_F)), d = dev/tr (docs/conventions.md):
 // algebra of Eqs. 16 and 20 when f = k_n Delta; then B is sigma up to a factor. 10^3 terms of sums and a
 // division each: 1e-9 leaves plenty.
 TEST(ShearCell, StiffnessIdentityHoldsInEveryRingForElasticNormalForces) {
-  const RingAverage average(with_elastic_normal_forces(read_snapshot()), cell());
+  const RingAverage average(with_elastic_normal_forces(read_shear_cell()), shear_cell_rings());
   for (int i = 0; i < rings; ++i) {
     const auto at = [&](const std::string& name) { return average.at(name, i); };
     const double d_f = at("dev_F") / at("tr_F");
@@ -57,9 +30,9 @@ TEST(ShearCell, StiffnessIdentityHoldsInEveryRingForElasticNormalForces) {
 // eps knows nothing of the forces: E with all forces over E with the elastic ones is the quotient of tr
 // sigma. What it differs from 1 by is the dashpots' share of the pressure, below 1 % at this slow shear.
 TEST(ShearCell, DifferenceWithAllForcesIsTheShareOfTheDashpots) {
-  const Frame frame = read_snapshot();
-  const RingAverage all(frame, cell());
-  const RingAverage elastic(with_elastic_normal_forces(frame), cell());
+  const Frame frame = read_shear_cell();
+  const RingAverage all(frame, shear_cell_rings());
+  const RingAverage elastic(with_elastic_normal_forces(frame), shear_cell_rings());
   double largest = 0;
   for (int i = 0; i < rings; ++i) {
     const double share = all.at("tr_sigma", i) / elastic.at("tr_sigma", i) - 1;
@@ -73,7 +46,7 @@ TEST(ShearCell, DifferenceWithAllForcesIsTheShareOfTheDashpots) {
 
 // n is a unit vector to 15 digits in the file.
 TEST(ShearCell, TraceOfFabricIsSolidFractionTimesCoordinationInEveryRing) {
-  const RingAverage average(read_snapshot(), cell());
+  const RingAverage average(read_shear_cell(), shear_cell_rings());
   for (int i = 0; i < rings; ++i)
     expect_measured(average.at("tr_F", i), average.at("nu", i) * average.at("coordination", i), 1e-12);
 }
@@ -81,7 +54,7 @@ TEST(ShearCell, TraceOfFabricIsSolidFractionTimesCoordinationInEveryRing) {
 // The second harmonic of the contact directions is the deviator of the fabric: a_2 = 2 dev F/tr F, same axis.
 // The axis has the rounding of F over its deviator, 1e-2 of F at least.
 TEST(ShearCell, SecondHarmonicOfContactDirectionsIsTheFabric) {
-  const RingAverage average(read_snapshot(), cell());
+  const RingAverage average(read_shear_cell(), shear_cell_rings());
   for (int i = 0; i < rings; ++i) {
     expect_measured(average.at("contact_angle_h2_amplitude", i),
                     2 * average.at("dev_F", i) / average.at("tr_F", i), 1e-12);
@@ -91,7 +64,7 @@ TEST(ShearCell, SecondHarmonicOfContactDirectionsIsTheFabric) {
 
 // f_t = -k_t xi without sliding and dashpots: M and kappa have the same sign, mu_c > 0, in every ring.
 TEST(ShearCell, RotationalStiffnessIsPositive) {
-  const RingAverage average(read_snapshot(), cell());
+  const RingAverage average(read_shear_cell(), shear_cell_rings());
   for (int i = 0; i < rings; ++i) EXPECT_GT(average.at("mu_c", i), 0) << i;
 }
 

@@ -1,0 +1,96 @@
+// Coarse-graining kernels: radially symmetric functions of the plane with the integral 1.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace mikromakro {
+
+/// W(x) = w(q)/width^2, q = |x|/width, with the integral of w over the plane 1. Arguments and results below
+/// are dimensionless, lengths in units of the width. None of them throws.
+class Kernel {
+ public:
+  explicit Kernel(double width) : width_(width) {}
+  Kernel(const Kernel&) = delete;
+  Kernel& operator=(const Kernel&) = delete;
+  virtual ~Kernel() = default;
+
+  /// m.
+  double width() const { return width_; }
+  /// The distance beyond which there is nothing of it.
+  virtual double reach() const = 0;
+  virtual double density(double q) const = 0;
+  /// e(q)/q^2 with e the part of the integral within the distance q < reach; finite at 0.
+  virtual double part_over_square(double q) const = 0;
+  /// Ten Gauss-Legendre points on pieces of this length integrate it to 1e-11.
+  virtual double smooth_length() const = 0;
+  /// Five points on pieces of this length along a branch integrate shares to 1e-8.
+  virtual double branch_piece() const = 0;
+
+  /// Integral of e(|p|)/(2 pi) dtheta, theta the direction of p as seen from the centre of the kernel, along
+  /// a straight line from the point nearest to the centre to `t` further on; the line passes at the distance
+  /// `h` with the centre on its left (negative: on its right). Along a closed outline such integrals add up
+  /// to the part of the kernel in it (Green's theorem).
+  double line_sweep(double h, double t) const;
+
+  /// The same between two places on the line, t_1 <= t_2.
+  virtual double line_part(double h, double t_1, double t_2) const;
+
+ protected:
+  /// The integral from 0 to t, 0 <= t, as far as it runs within the reach.
+  virtual double inner_sweep(double h, double t) const = 0;
+
+ private:
+  double width_;
+};
+
+/// exp(-q^2/2)/(2 pi): the width is the standard deviation in each direction. What lies beyond 7 widths,
+/// 2e-11 of the integral, is counted at 7 widths.
+class GaussKernel : public Kernel {
+ public:
+  using Kernel::Kernel;
+  double reach() const override { return 7; }
+  double density(double q) const override;
+  double part_over_square(double q) const override;
+  double smooth_length() const override { return 1; }
+  double branch_piece() const override { return 1.5; }
+  double line_part(double h, double t_1, double t_2) const override;
+
+ protected:
+  double inner_sweep(double h, double t) const override;
+};
+
+/// w = sum_k c_k q^k for q < 1, 0 from there on: the width is the radius of the support.
+class PolynomialKernel : public Kernel {
+ public:
+  /// c_0 ... c_5 for the integral 1.
+  using Coefficients = Eigen::Array<double, 6, 1>;
+  PolynomialKernel(const Coefficients& coefficients, double width);
+  double reach() const override { return 1; }
+  double density(double q) const override;
+  double part_over_square(double q) const override;
+  double smooth_length() const override { return 0.25; }
+  double branch_piece() const override { return 0.1875; }
+
+ protected:
+  double inner_sweep(double h, double t) const override;
+
+ private:
+  Coefficients density_;
+  Coefficients part_;  // e_k = 2 pi c_k/(k + 2)
+};
+
+/// 5/pi (1 + 3 q)(1 - q)^3, L. B. Lucy, Astronomical Journal 82 (1977) 1013.
+PolynomialKernel::Coefficients lucy();
+/// 7/pi (1 + 4 q)(1 - q)^4, H. Wendland, Advances in Computational Mathematics 4 (1995) 389: the one with two
+/// continuous derivatives.
+PolynomialKernel::Coefficients wendland();
+
+/// Integral of e/(2 pi) dtheta, as above, along the circle of radius R >= 0 around an origin that is d >= 0
+/// away from the kernel's centre, counter-clockwise from the angle `begin` to `end` >= begin, counted from
+/// the direction of that centre; at most a turn. To 1e-11.
+double arc_part(const Kernel& kernel, double d, double R, double begin, double end);
+
+/// Part of the kernel within that circle. To 1e-11.
+double circle_part(const Kernel& kernel, double d, double R);
+
+}  // namespace mikromakro

@@ -1,0 +1,26 @@
+// Force of walls on discs.
+#pragma once
+
+#include "fields/volume_sum.h"
+
+namespace mikromakro {
+
+/// t = 1/V sum over contacts c with walls and with discs that are not averaged of w(x_c) f^c, N/m^3: the
+/// forces on the averaged discs, at the ends of the branches. It is the boundary interaction force density of
+/// T. Weinhart, A. Thornton, S. Luding, O. Bokhove, Granular Matter 14 (2012) 289, and closes the balance of
+/// momentum where walls are within reach of a kernel: div sigma + t + body forces = rate of momentum (div
+/// over the second index of sigma, kinetic stress included). With the weights sliced and centre contacts
+/// count as their discs do, and it is the force of walls on the discs of V only.
+class WallForceDensity : public VolumeSum {
+ public:
+  std::string_view name() const override { return "wall_force_density"; }
+  std::vector<Column> columns(const Axes& axes) const override;
+  ColumnSet contacts_needed() const override { return column_set(ContactColumn::fx, ContactColumn::fy); }
+  bool needs_contacts() const override { return true; }
+  ContactPlace contact_place() const override { return ContactPlace::wall_point; }
+  int sums() const override { return 2; }
+  void add_contacts(const Disc& disc, std::span<const DiscContact> contacts,
+                    std::span<double> quantity) const override;
+};
+
+}  // namespace mikromakro
