@@ -155,6 +155,7 @@ void add_audit_command(CLI::App& program) {
   auto options = std::make_shared<AuditOptions>();
   add_input_options(*app, options->input);
   add_volume_options(*app, options->volumes);
+  add_weight_option(*app, options->volumes);
   app->add_option("--wheel-types", options->wheel_types,
                   "types of the wheel's discs; the inner wall counts too")
       ->delimiter(',');

@@ -7,6 +7,7 @@
 namespace mikromakro {
 
 void add_average_command(CLI::App& program);
+void add_compare_command(CLI::App& program);
 void add_info_command(CLI::App& program);
 void add_convert_command(CLI::App& program);
 void add_draw_command(CLI::App& program);

@@ -29,7 +29,9 @@ int complain(std::string message, int code) {
 
 // Under mpirun only rank 0 does what cannot be shared out.
 bool idle(int argc, char** argv) {
-  return mikromakro::launched_rank() > 0 && (argc < 2 || std::string(argv[1]) != "average");
+  if (mikromakro::launched_rank() == 0) return false;
+  const std::string verb = argc < 2 ? "" : argv[1];
+  return verb != "average" && verb != "compare";
 }
 
 int run(int argc, char** argv) {
@@ -38,6 +40,7 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", "mikromakro " MIKROMAKRO_VERSION);
   program.require_subcommand(1);
   mikromakro::add_average_command(program);
+  mikromakro::add_compare_command(program);
   mikromakro::add_info_command(program);
   mikromakro::add_fit_command(program);
   mikromakro::add_audit_command(program);

@@ -74,6 +74,12 @@ std::unique_ptr<const Volumes> volumes_of(const VolumeOptions& options) {
   return std::make_unique<const SectorVolumes>(std::move(rings), options.sectors);
 }
 
+void describe_weight(const VolumeOptions& options, Preamble& lines) {
+  lines.emplace_back("weight", options.weight);
+  const bool to_contact = options.branch.empty() && make_weight(options.weight)->is_kernel();
+  lines.emplace_back("branch", to_contact ? "contact" : options.branch.empty() ? "radius" : options.branch);
+}
+
 }  // namespace
 
 void add_volume_options(CLI::App& app, VolumeOptions& options) {
@@ -85,16 +91,43 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
   app.add_option("--grid", options.grid, "XMIN XMAX NX YMIN YMAX NY: NX by NY equal rectangles (m)")
       ->expected(6);
   app.add_option("--box", options.box, "XMIN XMAX YMIN YMAX: one rectangle (m)")->expected(4);
-  app.add_option(
-      "--weight", options.weight,
-      "sliced (area of the disc in the volume, default), centre, or a kernel of width W in m: gauss:W "
-      "(standard deviation), lucy:W, wendland:W, tophat:W (radius of the support)");
   app.add_option("--height", options.height, "thickness of the discs (m), default 1");
   app.add_option("--bulk-types", options.bulk_types, "types that are averaged, default all")->delimiter(',');
   app.add_option(
       "--branch", options.branch,
       "branch vector: radius (a_p n; default but for kernels) or contact (to the contact point; default "
       "for kernels)");
+}
+
+void add_weight_option(CLI::App& app, VolumeOptions& options) {
+  app.add_option(
+      "--weight", options.weight,
+      "sliced (area of the disc in the volume, default), centre, or a kernel of width W in m: gauss:W "
+      "(standard deviation), lucy:W, wendland:W, tophat:W (radius of the support)");
+}
+
+int resolution_of(const VolumeOptions& options) {
+  if (!options.rings.empty()) return static_cast<int>(options.rings[2]);
+  if (!options.edges.empty()) return static_cast<int>(options.edges.size()) - 1;
+  return options.grid.empty() ? 1 : static_cast<int>(options.grid[2]);
+}
+
+VolumeOptions at_resolution(const VolumeOptions& options, int resolution) {
+  if (resolution < 1)
+    throw bad_input({"--resolutions"}, "not a resolution", "whole numbers of 1 or more",
+                    fmt::format("{}", resolution));
+  VolumeOptions other = options;
+  if (!options.rings.empty()) {
+    other.rings[2] = resolution;
+  } else if (!options.grid.empty()) {
+    const double rows = options.grid[5] * resolution / options.grid[2];
+    other.grid[2] = resolution;
+    other.grid[5] = std::fmax(1, std::round(rows));
+  } else {
+    throw bad_input({"--resolutions"}, "the volumes have one resolution only", "--rings or --grid",
+                    options.edges.empty() ? "--box" : "--edges");
+  }
+  return other;
 }
 
 bool are_rings(const VolumeOptions& options) {
@@ -123,7 +156,7 @@ std::unique_ptr<const Averager> make_averager(const VolumeOptions& options, Fiel
                                           averaging);
 }
 
-void describe_volumes(const VolumeOptions& options, Preamble& lines) {
+void describe_volumes(const VolumeOptions& options, Preamble& lines, bool with_weight) {
   const auto add = [&](std::string_view name, const std::vector<double>& numbers, std::string_view between) {
     if (!numbers.empty()) lines.emplace_back(name, fmt::format("{}", fmt::join(numbers, between)));
   };
@@ -133,9 +166,7 @@ void describe_volumes(const VolumeOptions& options, Preamble& lines) {
   add("box", options.box, " ");
   if (options.sectors > 0) lines.emplace_back("sectors", fmt::format("{}", options.sectors));
   if (options.grid.empty() && options.box.empty()) add("center", options.center, " ");
-  lines.emplace_back("weight", options.weight);
-  const bool to_contact = options.branch.empty() && make_weight(options.weight)->is_kernel();
-  lines.emplace_back("branch", to_contact ? "contact" : options.branch.empty() ? "radius" : options.branch);
+  if (with_weight) describe_weight(options, lines);
   lines.emplace_back("height", fmt::format("{} m", options.height));
   lines.emplace_back("bulk types", options.bulk_types.empty()
                                        ? "all"

@@ -20,6 +20,15 @@ struct VolumeOptions {
 };
 
 void add_volume_options(CLI::App& app, VolumeOptions& options);
+/// Beside them, where one weight is chosen.
+void add_weight_option(CLI::App& app, VolumeOptions& options);
+
+/// Number of rings, or of columns of a grid.
+int resolution_of(const VolumeOptions& options);
+/// The same volumes with another one; the rows of a grid in proportion. Throws for volumes other than --rings
+/// and
+/// --grid, and for resolutions below 1.
+VolumeOptions at_resolution(const VolumeOptions& options, int resolution);
 
 /// Whether the volumes are a sequence of whole rings, which some fields need.
 bool are_rings(const VolumeOptions& options);
@@ -31,7 +40,7 @@ std::unique_ptr<const Averager> make_averager(const VolumeOptions& options, Fiel
 std::vector<double> ring_edges(const VolumeOptions& options);
 Eigen::Vector2d ring_centre(const VolumeOptions& options);
 
-/// Lines above a table: the volumes.
-void describe_volumes(const VolumeOptions& options, Preamble& lines);
+/// Lines above a table: the volumes, and the discs; where one weight is chosen, how these count.
+void describe_volumes(const VolumeOptions& options, Preamble& lines, bool with_weight = true);
 
 }  // namespace mikromakro

@@ -34,8 +34,14 @@ class Averager {
   /// frame.
   Rows frame_sums(const Frame& frame) const;
 
+  /// Rows and columns of such sums.
+  Eigen::Index volume_count() const { return volumes_->count(); }
+  Eigen::Index sum_count() const { return static_cast<Eigen::Index>(offsets_.back()); }
+
   /// The columns of the fields that were asked for.
   std::vector<Column> columns() const;
+  /// For each of them, whether it is a sum over V (fields/volume_sum.h).
+  std::vector<bool> volume_sums() const;
   /// Their values from the mean of such sums.
   Rows values(const Rows& mean_sums) const;
   /// Both, after the columns that describe the volumes.

@@ -13,8 +13,8 @@ namespace {
 // The frames under way: every thread that finds nothing better to do reads the next one and sums it.
 class FramesUnderWay {
  public:
-  FramesUnderWay(const NextFrame& next, const Averager& averager, int threads)
-      : next_(next), averager_(averager), most_(2 * threads + 2) {}
+  FramesUnderWay(const NextFrame& next, const SumFrame& sum, int threads)
+      : next_(next), sum_(sum), most_(2 * threads + 2) {}
 
   // For the threads beside the calling one, until there are no more frames to read.
   void work() {
@@ -82,7 +82,7 @@ class FramesUnderWay {
     lock.unlock();
     if (!outcome.error)
       attempt(outcome, [&] {
-        outcome.sums = {frame.step, averager_.frame_sums(frame)};
+        outcome.sums = {frame.step, sum_(frame)};
         return true;
       });
     lock.lock();
@@ -103,7 +103,7 @@ class FramesUnderWay {
   }
 
   const NextFrame& next_;
-  const Averager& averager_;
+  const SumFrame& sum_;
   const std::int64_t most_;
   std::mutex mutex_;
   std::condition_variable changed_;
@@ -131,8 +131,8 @@ class OtherThreads {
 
 }  // namespace
 
-void sum_in_order(const NextFrame& next, const Averager& averager, int threads, const TakeSums& take) {
-  FramesUnderWay frames(next, averager, threads);
+void sum_in_order(const NextFrame& next, const SumFrame& sum, int threads, const TakeSums& take) {
+  FramesUnderWay frames(next, sum, threads);
   const OtherThreads others(frames, threads - 1);
   frames.take_all(take);
 }

@@ -16,14 +16,21 @@ struct FrameSums {
 
 /// Fills in the next frame; false when there is none. Never called by two threads at once.
 using NextFrame = std::function<bool(Frame&)>;
+/// Makes the sums of a frame, of this frame only; called by several threads at once.
+using SumFrame = std::function<Rows(const Frame&)>;
 /// Takes the sums of a frame.
 using TakeSums = std::function<void(const FrameSums&)>;
 
-/// Takes frame after frame from `next`, sums each by `averager` and gives the sums to `take`, in the order of
+/// Takes frame after frame from `next`, sums each by `sum` and gives the sums to `take`, in the order of
 /// the frames and from the calling thread only: the result does not depend on `threads` (>= 1, the calling
 /// one included), to the last bit. Frames are read by one thread at a time while the others sum; at most
 /// 2 threads + 2 frames are under way, so that memory does not grow with their number. Passes on what `next`
 /// throws, after all earlier frames were taken, and what `take` throws.
-void sum_in_order(const NextFrame& next, const Averager& averager, int threads, const TakeSums& take);
+void sum_in_order(const NextFrame& next, const SumFrame& sum, int threads, const TakeSums& take);
+
+/// The same for the sums of one averager.
+inline void sum_in_order(const NextFrame& next, const Averager& averager, int threads, const TakeSums& take) {
+  sum_in_order(next, SumFrame([&](const Frame& frame) { return averager.frame_sums(frame); }), threads, take);
+}
 
 }  // namespace mikromakro

@@ -27,14 +27,13 @@ PiecewisePolynomial circle_table(const Kernel& kernel, double R) {
 
 }  // namespace
 
-RingKernel::RingKernel(std::shared_ptr<const Kernel> kernel, const Eigen::Vector2d& centre,
-                       std::vector<double> edges)
-    : centre_(centre), edges_(std::move(edges)), reach_(kernel->reach() * kernel->width()) {
+RingKernel::RingKernel(const Kernel& kernel, const Eigen::Vector2d& centre, std::vector<double> edges)
+    : centre_(centre), edges_(std::move(edges)), reach_(kernel.reach() * kernel.width()) {
   if (edges_.size() > most_rings + 1)
     throw bad_input({"--weight"}, "too many rings for a kernel", fmt::format("{} or fewer", most_rings),
                     fmt::format("{}", edges_.size() - 1));
   circles_.reserve(edges_.size());
-  for (const double edge : edges_) circles_.push_back(circle_table(*kernel, edge));
+  for (const double edge : edges_) circles_.push_back(circle_table(kernel, edge));
 }
 
 double RingKernel::within(std::size_t edge, double distance) const {

@@ -1,7 +1,6 @@
 // Shares of points in rings.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "averaging/kernel.h"
@@ -15,7 +14,7 @@ namespace mikromakro {
 /// more than 10000 rings: 2 kB for each would be too much.
 class RingKernel : public PointShares {
  public:
-  RingKernel(std::shared_ptr<const Kernel> kernel, const Eigen::Vector2d& centre, std::vector<double> edges);
+  RingKernel(const Kernel& kernel, const Eigen::Vector2d& centre, std::vector<double> edges);
   void add(const Eigen::Vector2d& point, double factor, ShareSums& shares) const override;
 
  private:

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "averaging/disc_circle_area.h"
 #include "averaging/ring_kernel.h"
@@ -85,7 +84,7 @@ int RingVolumes::find(const Eigen::Vector2d& point) const {
 }
 
 std::unique_ptr<const PointShares> RingVolumes::point_shares(std::shared_ptr<const Kernel> kernel) const {
-  return std::make_unique<const RingKernel>(std::move(kernel), centre_, edges_);
+  return std::make_unique<const RingKernel>(*kernel, centre_, edges_);
 }
 
 std::vector<Column> RingVolumes::columns() const {

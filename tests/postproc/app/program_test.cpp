@@ -225,7 +225,7 @@ TEST(Fit, TooFewRingsAreAFailedRun) {
 
 TEST(Program, HelpAndVersionAreNoErrors) {
   EXPECT_EQ(run_program("--version").out.rfind("mikromakro ", 0), 0U);
-  for (const std::string verb : {"", "average ", "info ", "fit ", "audit ", "draw ", "convert "})
+  for (const std::string verb : {"", "average ", "compare ", "info ", "fit ", "audit ", "draw ", "convert "})
     EXPECT_EQ(run_program(verb + "--help").code, 0);
 }
 

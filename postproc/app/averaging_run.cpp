@@ -1,0 +1,68 @@
+#include "app/averaging_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "app/progress.h"
+#include "io/error.h"
+#include "io/file_list.h"
+
+namespace mikromakro {
+namespace {
+
+int threads_of(const RunOptions& options, const Ranks& ranks) {
+  if (options.threads > 0) return options.threads;
+  return ranks.size() > 1 ? 1 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace
+
+void add_run_options(CLI::App& app, RunOptions& options) {
+  app.add_option("--threads", options.threads,
+                 "threads, default all of the machine; 1 for each rank under mpirun")
+      ->check(CLI::Range(1, 1024));
+  app.add_flag("--quiet", options.quiet, "no progress bar");
+}
+
+Averaged average_frames(const FrameSource& source, const SumFrame& sum, TimeAverage sums,
+                        const RunOptions& options, const Ranks& ranks) {
+  std::int64_t all_bytes = 0;
+  ranks.agree([&] { all_bytes = total_size(source.files()); });
+  Progress progress(all_bytes, options.quiet || !ranks.first());
+  Averaged averaged{std::move(sums), {}};
+  std::atomic<std::int64_t> bytes = 0;
+  const auto read_and_sum = [&](const TakeSums& take) {
+    FrameSource own = source;
+    own.selection = ranks.own_part(own.selection);
+    FrameStream stream(own);
+    const auto next = [&](Frame& frame) {
+      const bool some = stream.next(frame);
+      bytes = stream.bytes_read();
+      return some;
+    };
+    sum_in_order(next, sum, threads_of(options, ranks), take);
+  };
+  ranks.gather_in_order(read_and_sum, [&](const FrameSums& frame) {
+    if (averaged.sums.frames() == 0) averaged.range.first_step = frame.step;
+    averaged.range.last_step = frame.step;
+    averaged.sums.add(frame.sums);
+    progress.update(bytes, averaged.sums.frames());
+  });
+  return averaged;
+}
+
+void require_frames(const Averaged& averaged, const FrameSource& source) {
+  if (averaged.sums.frames() == 0)
+    throw bad_input({source.files().front()}, "no frame is selected",
+                    "frames that --frames and --steps select", "0");
+}
+
+void describe_frames(const Averaged& averaged, Preamble& lines) {
+  lines.emplace_back("frames", fmt::format("{}, steps {} to {}", averaged.sums.frames(),
+                                           averaged.range.first_step, averaged.range.last_step));
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,36 @@
+// One pass over the frames of the input: shared out among threads and ranks.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "app/input_options.h"
+#include "averaging/ordered_sums.h"
+#include "averaging/ranks.h"
+#include "averaging/time_average.h"
+
+namespace mikromakro {
+
+struct RunOptions {
+  int threads = 0;  ///< 0: as many as the machine has
+  bool quiet = false;
+};
+
+void add_run_options(CLI::App& app, RunOptions& options);
+
+struct Averaged {
+  TimeAverage sums;
+  FrameRange range;
+};
+
+/// The sums that `sum` makes of the frames, on rank 0; the others give their part. All ranks call it
+/// together. `sums` is an empty average to fill. Throws what reading throws.
+Averaged average_frames(const FrameSource& source, const SumFrame& sum, TimeAverage sums,
+                        const RunOptions& options, const Ranks& ranks);
+
+/// Throws where no frame was selected.
+void require_frames(const Averaged& averaged, const FrameSource& source);
+
+/// Line above a table: which frames.
+void describe_frames(const Averaged& averaged, Preamble& lines);
+
+}  // namespace mikromakro

@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "app/averaging_run.h"
+#include "app/commands.h"
+#include "app/comparison_report.h"
+#include "app/field_options.h"
+#include "app/volume_options.h"
+#include "io/error.h"
+#include "io/output_file.h"
+
+namespace mikromakro {
+namespace {
+
+struct CompareOptions {
+  InputOptions input;
+  VolumeOptions volumes;
+  FieldChoice fields;
+  std::vector<std::string> weights = {"sliced", "centre"};
+  std::vector<int> resolutions;
+  std::string out;
+  RunOptions run;
+};
+
+void add_options(CLI::App& app, CompareOptions& options) {
+  add_input_options(app, options.input);
+  add_volume_options(app, options.volumes);
+  add_field_options(app, options.fields);
+  app.add_option("--weights", options.weights,
+                 "W1,W2,...: weights as for --weight of average; the others are compared with the first one; "
+                 "default sliced,centre")
+      ->delimiter(',');
+  app.add_option(
+         "--resolutions", options.resolutions,
+         "N1,N2,...: numbers of rings, or of columns of the grid (its rows in proportion); default that of "
+         "--rings or --grid")
+      ->delimiter(',');
+  app.add_option("--out", options.out, "FILE.csv: all averages, with weight and resolution in front");
+  add_run_options(app, options.run);
+}
+
+// What is averaged in one pass.
+struct Task {
+  std::vector<int> resolutions;
+  std::vector<std::unique_ptr<const Averager>> averagers;  // all weights for each resolution
+  FrameSource source;
+  std::unique_ptr<OutputFile> out;  // on rank 0, if any
+};
+
+// Names that stand in the list more than once would be compared with themselves.
+template <typename Value>
+void check_list(const std::vector<Value>& values, std::string_view option) {
+  for (auto value = values.begin(); value != values.end(); ++value) {
+    if (std::find(values.begin(), value, *value) != value)
+      throw bad_input({option}, "given twice", "each once", fmt::format("{}", *value));
+  }
+}
+
+void add_averager(const CompareOptions& options, const VolumeOptions& volumes, Task& task) {
+  task.averagers.push_back(make_averager(volumes, fields_of(options.fields, volumes)));
+  const Averager& averager = *task.averagers.back();
+  FrameSource source = source_of(options.input, averager);
+  source.particles_needed |= task.source.particles_needed;
+  source.contacts_needed |= task.source.contacts_needed;
+  task.source = std::move(source);
+}
+
+Task task_of(const CompareOptions& options, const Ranks& ranks) {
+  check_list(options.weights, "--weights");
+  check_list(options.resolutions, "--resolutions");
+  Task task;
+  task.resolutions = options.resolutions;
+  std::vector<VolumeOptions> volumes;
+  for (const int resolution : options.resolutions)
+    volumes.push_back(at_resolution(options.volumes, resolution));
+  if (volumes.empty()) {
+    volumes.push_back(options.volumes);
+    task.resolutions.push_back(resolution_of(options.volumes));
+  }
+  for (VolumeOptions& each : volumes) {
+    for (const std::string& weight : options.weights) {
+      each.weight = weight;
+      add_averager(options, each, task);
+    }
+  }
+  if (!options.out.empty() && !options.out.ends_with(".csv"))
+    throw bad_input({"--out"}, "unknown kind of output file", "a name ending in .csv",
+                    in_quotes(options.out));
+  if (ranks.first() && !options.out.empty()) task.out = std::make_unique<OutputFile>(options.out);
+  return task;
+}
+
+// The sums of all averagers in one row, one behind the other.
+Rows all_sums(const Task& task, const Frame& frame) {
+  std::vector<double> numbers;
+  for (const auto& averager : task.averagers) {
+    const Rows sums = averager->frame_sums(frame);
+    numbers.insert(numbers.end(), sums.data(), sums.data() + sums.size());
+  }
+  return Eigen::Map<const Rows>(numbers.data(), 1, static_cast<Eigen::Index>(numbers.size()));
+}
+
+// And back, solved.
+Comparison compare(const CompareOptions& options, const Task& task, const Rows& mean) {
+  Comparison comparison{options.weights,
+                        task.resolutions,
+                        {},
+                        task.averagers.front()->columns(),
+                        task.averagers.front()->volume_sums()};
+  Eigen::Index begin = 0;
+  for (std::size_t i = 0; i < task.averagers.size(); ++i) {
+    const Averager& averager = *task.averagers[i];
+    const Eigen::Index size = averager.volume_count() * averager.sum_count();
+    const Rows sums =
+        Eigen::Map<const Rows>(mean.data() + begin, averager.volume_count(), averager.sum_count());
+    begin += size;
+    comparison.profiles.push_back({options.weights[i % options.weights.size()],
+                                   task.resolutions[i / options.weights.size()], averager.solve(sums)});
+  }
+  return comparison;
+}
+
+Preamble preamble_of(const CompareOptions& options, const Task& task, const Averaged& averaged) {
+  Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " compare"}};
+  describe_input(options.input, task.source, lines);
+  describe_fields(options.fields, lines);
+  describe_frames(averaged, lines);
+  describe_volumes(options.volumes, lines, false);
+  lines.emplace_back("branch", options.volumes.branch.empty() ? "by the weight" : options.volumes.branch);
+  describe_numbers(options.fields, lines);
+  return lines;
+}
+
+void report(const CompareOptions& options, const Task& task, const Averaged& averaged) {
+  require_frames(averaged, task.source);
+  const Comparison comparison = compare(options, task, averaged.sums.mean());
+  if (task.out) task.out->commit(long_csv(preamble_of(options, task, averaged), comparison));
+  fmt::print("{}", differences_of_weights(comparison));
+  const std::string resolutions = differences_of_resolutions(comparison);
+  if (!resolutions.empty()) fmt::print("\n{}", resolutions);
+}
+
+void compare(const CompareOptions& options) {
+  const Ranks ranks;
+  Task task;
+  ranks.agree([&] { task = task_of(options, ranks); });
+  const SumFrame sum = [&](const Frame& frame) { return all_sums(task, frame); };
+  const Averaged averaged = average_frames(task.source, sum, TimeAverage(0), options.run, ranks);
+  ranks.agree([&] {
+    if (ranks.first()) report(options, task, averaged);
+  });
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "compare", "differences between weights and resolutions, field by field, from one pass over the input");
+  auto options = std::make_shared<CompareOptions>();
+  add_options(*app, *options);
+  app->callback([options] { compare(*options); });
+}
+
+}  // namespace mikromakro

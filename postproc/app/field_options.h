@@ -1,0 +1,28 @@
+// The options that say which fields a verb averages.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "app/volume_options.h"
+#include "fields/field_registry.h"
+#include "io/csv_writer.h"
+
+namespace mikromakro {
+
+struct FieldChoice {
+  std::vector<std::string> names;
+  FieldOptions numbers;
+};
+
+void add_field_options(CLI::App& app, FieldChoice& choice);
+
+/// Throws on unknown names, and on fields that need an option that is not given.
+FieldList fields_of(const FieldChoice& choice, const VolumeOptions& volumes);
+
+/// Lines above a table: the names that were given, and the numbers.
+void describe_fields(const FieldChoice& choice, Preamble& lines);
+void describe_numbers(const FieldChoice& choice, Preamble& lines);
+
+}  // namespace mikromakro
