@@ -15,9 +15,11 @@ namespace mikromakro::liggghts {
 inline constexpr int contact_columns = 16;
 using ContactRow = std::array<double, contact_columns>;
 
-/// A wall as contact rows show it, and the atom type whose material constants it has.
+/// A wall as contact rows show it, the atom type whose material constants it has, and its curvature (1/m):
+/// 1/R of a circle, negative where the discs are inside, 0 of a flat wall. Of the last force evaluation.
 struct WallKind {
   int id, type;
+  double curvature;
 };
 
 /// A fix whose walls touch discs.

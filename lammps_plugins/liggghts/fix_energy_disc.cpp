@@ -12,6 +12,7 @@
 #include "modify.h"
 #include "pair_gran_disc.h"
 #include "physics/contact_energy.h"
+#include "physics/smooth_wall.h"
 #include "update.h"
 
 namespace mikromakro::liggghts {
@@ -41,6 +42,9 @@ int FixEnergyDisc::setmask() {
 void FixEnergyDisc::init() {
   if (!active_disc_law(*lmp))
     stop(*lmp, style, "needs 'pair_style gran model disc/linear ...' before the run");
+}
+
+void FixEnergyDisc::find_walls() {
   walls_.clear();
   for (int k = 0; k < modify->nfix; ++k) {
     const auto* source = dynamic_cast<const WallContactSource*>(modify->fix[k]);
@@ -64,28 +68,43 @@ void FixEnergyDisc::end_of_step() {
   tangential_work_ += update->dt * 0.5 * (before.tangential_power + now_.tangential_power);
 }
 
-int FixEnergyDisc::type_of_partner(const ContactRow& row) const {
+FixEnergyDisc::Partner FixEnergyDisc::partner_of(const ContactRow& row, double radius) const {
   const int id = static_cast<int>(row[column_id2]);
-  if (id > 0) return atom->type[atom->map(id)];
-  return std::find_if(walls_.begin(), walls_.end(), [&](const WallKind& wall) { return wall.id == id; })
-      ->type;
+  if (id > 0) {
+    const int j = atom->map(id);
+    return {atom->type[j], physics::reduced_radius(radius, atom->radius[j])};
+  }
+  const auto wall =
+      std::find_if(walls_.begin(), walls_.end(), [&](const WallKind& kind) { return kind.id == id; });
+  return {wall->type, physics::reduced_radius_at(wall->curvature, radius)};
+}
+
+template <physics::Normal normal>
+FixEnergyDisc::Contacts FixEnergyDisc::sum_of_rows() const {
+  constexpr physics::Effects effects{.normal = normal};
+  const PairGranDisc& law = *active_disc_law(*lmp);
+  Contacts sum;
+  for (const ContactRow& row : rows_) {
+    const int i = atom->map(static_cast<int>(row[column_id1]));
+    const Partner partner = partner_of(row, atom->radius[i]);
+    const physics::ContactParameters& p = law.parameters(atom->type[i], partner.type);
+    const physics::ContactState state{row[column_overlap], row[column_vn], row[column_vt], row[column_xi],
+                                      partner.reduced_radius};
+    sum.normal_energy += physics::normal_energy<effects>(p, state);
+    sum.spring_energy += physics::spring_energy(p, state.xi);
+    sum.dashpot_power += physics::dashpot_power<effects>(p, state, row[column_fn]);
+    sum.tangential_power += physics::tangential_power(row[column_ft], state.v_t);
+  }
+  return sum;
 }
 
 FixEnergyDisc::Contacts FixEnergyDisc::evaluate() {
   rows_.clear();
   if (!append_contact_rows(*lmp, groupbit, rows_))
     stop(*lmp, style, "expected the contacts of this step; define it behind the fixes with walls");
-  const PairGranDisc& law = *active_disc_law(*lmp);
-  Contacts sum;
-  for (const ContactRow& row : rows_) {
-    const int type = atom->type[atom->map(static_cast<int>(row[column_id1]))];
-    const physics::ContactParameters& p = law.parameters(type, type_of_partner(row));
-    sum.normal_energy += physics::normal_energy(p, row[column_overlap]);
-    sum.spring_energy += physics::spring_energy(p, row[column_xi]);
-    sum.dashpot_power += physics::dashpot_power(p, row[column_overlap], row[column_fn], row[column_vn]);
-    sum.tangential_power += physics::tangential_power(row[column_ft], row[column_vt]);
-  }
-  return sum;
+  find_walls();
+  const bool hertz = active_disc_law(*lmp)->effects().normal == physics::Normal::hertz;
+  return hertz ? sum_of_rows<physics::Normal::hertz>() : sum_of_rows<physics::Normal::linear>();
 }
 
 double FixEnergyDisc::kinetic_energy() const {

@@ -5,7 +5,7 @@
 // count. Define it behind fixes with walls. Heat counts from the first run with this fix on.
 //
 // Scalar: the sum of the vector, which is what walls, gravity and other fixes have put in. Vector (J):
-//   1  kinetic, of translation and spin      2  elastic, of overlaps: k_n overlap^2/2
+//   1  kinetic, of translation and spin      2  elastic, of overlaps: k_n overlap^2/2 (Hertz: 2/5 f overlap)
 //   3  elastic, of tangential springs        4  heat of normal dashpots
 //   5  heat of tangential forces: sliding, dashpots, springs of contacts that open
 // Heat is the sum over steps of force times velocity of the same instant, as velocity Verlet changes the
@@ -41,9 +41,17 @@ class FixEnergyDisc : public LAMMPS_NS::Fix, public ContactObserver {
     double normal_energy = 0, spring_energy = 0, dashpot_power = 0, tangential_power = 0;
   };
 
+  struct Partner {
+    int type;
+    double reduced_radius;  // m
+  };
+
   Contacts evaluate();
+  template <physics::Normal normal>
+  Contacts sum_of_rows() const;
+  void find_walls();
+  Partner partner_of(const ContactRow& row, double radius) const;
   double kinetic_energy() const;
-  int type_of_partner(const ContactRow& row) const;
   void update_values();
 
   std::vector<WallKind> walls_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "arguments.h"
 #include "atom.h"
@@ -15,7 +16,7 @@ using physics::Effects;
 using physics::Tangential;
 
 int SmoothWalls::add(int id, const std::string& name, int type) {
-  kinds_.push_back({id, type});
+  kinds_.push_back({id, type, 0.0});
   names_.push_back(name);
   near_.emplace_back();
   loads_.emplace_back();
@@ -27,24 +28,18 @@ void SmoothWalls::act_on(int group_bit, int but_not_on_bits) {
   excluded_bits_ = but_not_on_bits;
 }
 
-template <Effects effects>
-void SmoothWalls::use_loop_of(const Effects& wanted) {
-  if (wanted == effects) loop_ = &SmoothWalls::touch<effects>;
+template <int... numbers>
+void SmoothWalls::choose_among(const Effects& wanted, std::integer_sequence<int, numbers...> /*all*/) {
+  const auto choose = [&]<Effects effects>() {
+    if (wanted == effects) loop_ = &SmoothWalls::touch<effects>;
+  };
+  (choose.template operator()<physics::effects_of_combination(numbers)>(), ...);
 }
 
 void SmoothWalls::choose_loop() {
   const PairGranDisc* law = active_disc_law(*lmp);
   if (!law) stop(*lmp, style_, "smooth walls need 'pair_style gran model disc/linear ...' before the run");
-  loop_ = nullptr;
-  use_loop_of<Effects{Tangential::none, false}>(law->effects());
-  use_loop_of<Effects{Tangential::none, true}>(law->effects());
-  use_loop_of<Effects{Tangential::viscous_coulomb, false}>(law->effects());
-  use_loop_of<Effects{Tangential::viscous_coulomb, true}>(law->effects());
-  use_loop_of<Effects{Tangential::spring, false}>(law->effects());
-  use_loop_of<Effects{Tangential::spring, true}>(law->effects());
-  use_loop_of<Effects{Tangential::damped_spring, false}>(law->effects());
-  use_loop_of<Effects{Tangential::damped_spring, true}>(law->effects());
-  if (!loop_) stop(*lmp, style_, "smooth walls do not know these effects of the pair style");
+  choose_among(law->effects(), std::make_integer_sequence<int, physics::effect_combinations>{});
 }
 
 void SmoothWalls::init(const std::vector<physics::SmoothWall>& walls) {
@@ -141,6 +136,7 @@ void SmoothWalls::apply(const std::vector<physics::SmoothWall>& walls) {
   recorded_.clear();
   for (std::size_t k = 0; k < walls.size(); ++k) {
     loads_[k] = {};
+    kinds_[k].curvature = physics::curvature(walls[k]);
     (this->*loop_)(static_cast<int>(k), walls[k]);
   }
   if (recording_) recorded_step_ = update->ntimestep;
@@ -168,7 +164,9 @@ void SmoothWalls::touch(int number, const physics::SmoothWall& wall) {
       if (!contact && spring) *spring = {};
     }
     if (!contact) continue;
-    const auto state = physics::state_at_wall(wall, at, disc, spring->xi);
+    auto state = physics::state_at_wall(wall, at, disc, spring->xi);
+    if constexpr (effects.normal == physics::Normal::hertz)
+      state.reduced_radius = physics::reduced_radius_at(physics::curvature(wall), disc.radius);
     const auto& parameters = parameters_[number][atom->type[i] - 1];
     const auto force = physics::wall_contact_force<effects>(parameters, state, step_, *spring);
     const auto& n = at.normal;
@@ -219,7 +217,8 @@ int SmoothWalls::pack(int i, double* buffer) const {
       buffer[size++] = springs[k].slip_rate;
     }
   }
-  buffer[0] = (size - 1) / 3;
+  const int count = (size - 1) / 3;
+  buffer[0] = count;
   return size;
 }
 

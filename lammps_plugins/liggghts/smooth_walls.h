@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "contact_rows.h"
@@ -73,8 +74,8 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   void touch(int number, const physics::SmoothWall& wall);
   void record(int i, int number, const physics::WallPoint& at, const physics::ContactState& state,
               const physics::ContactForce& force);
-  template <physics::Effects effects>
-  void use_loop_of(const physics::Effects& wanted);
+  template <int... numbers>
+  void choose_among(const physics::Effects& wanted, std::integer_sequence<int, numbers...> all);
 
   std::string style_;
   int group_bit_ = 1;

@@ -9,6 +9,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "contact_rows.h"
 #include "error.h"
 #include "fix.h"
 #include "modify.h"
@@ -51,7 +52,19 @@ void largest_of_all_ranks(std::vector<double>& values, MPI_Comm world) {
   MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX, world);
 }
 
-TypesAtHand types_at_hand(const Atom& atom, int integrated, MPI_Comm world) {
+/// Smooth walls are carried, too. In a contact they are like a large disc: more than a hundred times as large
+/// as others, their exact radius makes no difference to a time scale.
+void carry_walls(const Modify& modify, std::vector<double>& carried_radius) {
+  constexpr double large = 1e3;  // m
+  for (int k = 0; k < modify.nfix; ++k) {
+    const auto* walls = dynamic_cast<const WallContactSource*>(modify.fix[k]);
+    if (!walls) continue;
+    for (const WallKind& wall : walls->wall_kinds()) carried_radius[wall.type - 1] = large;
+  }
+}
+
+TypesAtHand types_at_hand(const Atom& atom, const Modify& modify, MPI_Comm world) {
+  const int integrated = integrated_groups(modify);
   const std::vector<double> none(atom.ntypes, 0.0);
   TypesAtHand types{std::vector<double>(atom.ntypes, infinite), none, none, none};
   for (int i = 0; i < atom.nlocal; ++i) {
@@ -68,6 +81,7 @@ TypesAtHand types_at_hand(const Atom& atom, int integrated, MPI_Comm world) {
     const int t = atom.type[i] - 1;
     if (atom.rmass[i] == types.mass[t]) types.radius[t] = std::max(types.radius[t], atom.radius[i]);
   }
+  carry_walls(modify, types.carried_radius);
   for (auto* values : {&types.radius, &types.carried_radius, &types.speed})
     largest_of_all_ranks(*values, world);
   return types;
@@ -142,7 +156,7 @@ void warn(LAMMPS& engine, const std::string& text) {
 
 void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& style, const TimeScales& law) {
   const Atom& atom = *engine.atom;
-  const auto at_hand = types_at_hand(atom, integrated_groups(*engine.modify), engine.world);
+  const auto at_hand = types_at_hand(atom, *engine.modify, engine.world);
   const bool hertz = law.effects.normal == physics::Normal::hertz;
   const std::vector<double> untouched(law.parameters.size(), 0.0);
   const double t_c =

@@ -55,6 +55,17 @@ inline WallPoint nearest_point(const SmoothWall& wall, const PlaneVector& centre
   return {{-radial.x, -radial.y}, from_centre - wall.radius, place};
 }
 
+/// 1/R of a circle (1/m), negative where the discs are inside; 0 of a flat wall.
+inline double curvature(const SmoothWall& wall) {
+  if (wall.shape == WallShape::flat) return 0.0;
+  return (wall.shape == WallShape::circle_around ? -1 : 1) / wall.radius;
+}
+
+/// a R/(a + R), for Hertz's law (m).
+constexpr double reduced_radius_at(double curvature, double disc_radius) {
+  return disc_radius / (1 + disc_radius * curvature);
+}
+
 /// Velocity of the wall's material at a point of its surface (m/s).
 inline PlaneVector velocity_at(const SmoothWall& wall, const PlaneVector& place) {
   const double x = place.x - wall.point.x, y = place.y - wall.point.y;

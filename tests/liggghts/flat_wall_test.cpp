@@ -48,6 +48,16 @@ TEST(DiscOnAFloor, SinksByItsWeightOverTheStiffness) {
   EXPECT_NEAR(contact.n_y, 1, 1e-15);  // from the wall, whose id is smaller, to the disc
 }
 
+// Hertz at a flat wall: m g = k_n sqrt(a) overlap^(3/2).
+TEST(DiscOnAFloor, SinksUnderHertzsLaw) {
+  Engine engine;
+  const double stiffness = 1e6;  // N/m^2
+  engine.run(scene("model disc/hertz tangential off", {.k_n = stiffness}, 0.5) + disc(1, 0, a, a, density) +
+             gravity(0) + walls() + run(4e-5, 2));
+  const double overlap = std::pow(mass * g / (stiffness * std::sqrt(a)), 2.0 / 3);
+  EXPECT_NEAR(engine.contacts().at({-3, 1}).overlap, overlap, 1e-15);
+}
+
 TEST(DiscInACorner, TouchesTwoWalls) {
   Engine engine;
   engine.run(box("off", {.k_n = k_n}) + disc(1, -0.4 + a - 2e-5, a - 1e-5, a, density) + walls() + "run 0\n");

@@ -50,6 +50,13 @@ TEST(NearestPoint, OfACircleWithinTheDiscs) {
   EXPECT_DOUBLE_EQ(at.place.y, 3.6);
 }
 
+// a R/(a + R): 2 * 3/5 beside a wheel, 2 * 6/(6 - 2) inside a ring, a at a flat wall.
+TEST(ReducedRadius, FollowsTheCurvature) {
+  EXPECT_DOUBLE_EQ(reduced_radius_at(curvature(circle(WallShape::circle_within, {1, 2}, 3)), 2), 1.2);
+  EXPECT_DOUBLE_EQ(reduced_radius_at(curvature(circle(WallShape::circle_around, {1, 2}, 6)), 2), 3);
+  EXPECT_EQ(reduced_radius_at(curvature(flat({3, 7}, {0, -1})), 2), 2);
+}
+
 // v = v_point + omega x r + dR/dt e_r at r = (6, 8), R = 10: (1 - 3 * 8 + 0.5 * 0.6, 2 + 3 * 6 + 0.5 * 0.8).
 TEST(VelocityAt, AddsTranslationRotationAndGrowth) {
   auto wall = circle(WallShape::circle_around, {1, 2}, 10);
