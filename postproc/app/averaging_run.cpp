@@ -38,10 +38,10 @@ Averaged average_frames(const FrameSource& source, const SumFrame& sum, TimeAver
     FrameSource own = source;
     own.selection = ranks.own_part(own.selection);
     FrameStream stream(own);
-    const auto next = [&](Frame& frame) {
-      const bool some = stream.next(frame);
+    const auto next = [&] {
+      MakeFrame make = stream.take();
       bytes = stream.bytes_read();
-      return some;
+      return make;
     };
     sum_in_order(next, sum, threads_of(options, ranks), take);
   };

@@ -57,7 +57,7 @@ DumpSummary summarise(const std::string& file, const std::vector<std::string>& p
     summary.fewest_rows = std::min(summary.fewest_rows, header.rows);
     summary.most_rows = std::max(summary.most_rows, header.rows);
     if (summary.of_particles)
-      add_particles(read_particles(dump, header, particle_columns, 0, given), summary);
+      add_particles(read_particles(dump.take_rows(header), particle_columns, 0, given), summary);
   }
   return summary;
 }

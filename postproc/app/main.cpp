@@ -1,6 +1,7 @@
 // mikromakro: continuum fields from discs and contacts.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <CLI/CLI.hpp>
@@ -61,7 +62,16 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
+// The memory of a frame is used again for the next one; given back to the system and asked for anew, it would
+// be cleared page by page each time, a tenth of the time that reading takes.
+void keep_memory() {
+  constexpr int largest = 1 << 30;
+  mallopt(M_MMAP_THRESHOLD, 1 << 25);
+  mallopt(M_TRIM_THRESHOLD, largest);
+}
+
 int main(int argc, char** argv) {
+  keep_memory();
   try {
     return run(argc, argv);
   } catch (const mikromakro::Error& error) {

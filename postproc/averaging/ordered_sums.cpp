@@ -67,23 +67,25 @@ class FramesUnderWay {
 
   bool may_read() const { return !over_ && !reading_ && read_ - taken_ < most_; }
 
-  // Without the lock for as long as reading and summing take.
+  // Without the lock for as long as the work takes.
   void read_and_sum(Frame& frame, Lock& lock) {
     Outcome outcome;
+    MakeFrame make;
     reading_ = true;
     lock.unlock();
-    const bool some = attempt(outcome, [&] { return next_(frame); });
+    attempt(outcome, [&] { make = next_(); });
     lock.lock();
     reading_ = false;
-    over_ = over_ || !some || outcome.error;
+    const bool some = make || outcome.error;
+    over_ = over_ || !make;
     const std::int64_t index = some ? read_++ : 0;
     changed_.notify_all();
     if (!some) return;
     lock.unlock();
-    if (!outcome.error)
+    if (make)
       attempt(outcome, [&] {
+        make(frame);
         outcome.sums = {frame.step, sum_(frame)};
-        return true;
       });
     lock.lock();
     over_ = over_ || outcome.error;
@@ -91,14 +93,12 @@ class FramesUnderWay {
     changed_.notify_all();
   }
 
-  // True also where it threw: there is something to hand over.
   template <typename Action>
-  static bool attempt(Outcome& outcome, const Action& action) {
+  static void attempt(Outcome& outcome, const Action& action) {
     try {
-      return action();
+      action();
     } catch (...) {
       outcome.error = std::current_exception();
-      return true;
     }
   }
 

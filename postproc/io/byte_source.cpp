@@ -24,7 +24,26 @@ OpenFile open_file(const std::string& file) {
   return opened;
 }
 
-// zlib hands plain bytes through.
+class PlainSource : public ByteSource {
+ public:
+  // The blocks that are asked for are large: no buffer between.
+  explicit PlainSource(OpenFile file) : file_(std::move(file)) {}
+
+  std::size_t read(std::span<char> room, const Place& place) override {
+    const std::size_t got = std::fread(room.data(), 1, room.size(), file_.get());
+    if (got == 0 && std::ferror(file_.get()) != 0)
+      throw bad_input(place, "cannot read on", "a readable file", std::strerror(errno));
+    bytes_ += static_cast<std::int64_t>(got);
+    return got;
+  }
+
+  std::int64_t bytes_read() const override { return bytes_; }
+
+ private:
+  OpenFile file_;
+  std::int64_t bytes_ = 0;
+};
+
 class GzipSource : public ByteSource {
  public:
   explicit GzipSource(const std::string& file) : stream_(gzopen(file.c_str(), "rb")) {
@@ -99,13 +118,16 @@ class ZstdSource : public ByteSource {
 }  // namespace
 
 std::unique_ptr<ByteSource> open_bytes(const std::string& file) {
+  constexpr std::array<unsigned char, 2> gzip_mark = {0x1f, 0x8b};
   constexpr std::array<unsigned char, 4> zstd_mark = {0x28, 0xb5, 0x2f, 0xfd};
   OpenFile opened = open_file(file);
   std::array<unsigned char, 4> begin = {};
   const std::size_t got = std::fread(begin.data(), 1, begin.size(), opened.get());
-  if (got < begin.size() || begin != zstd_mark) return std::make_unique<GzipSource>(file);
   std::rewind(opened.get());
-  return std::make_unique<ZstdSource>(std::move(opened));
+  if (got == begin.size() && begin == zstd_mark) return std::make_unique<ZstdSource>(std::move(opened));
+  if (got >= gzip_mark.size() && std::equal(gzip_mark.begin(), gzip_mark.end(), begin.begin()))
+    return std::make_unique<GzipSource>(file);
+  return std::make_unique<PlainSource>(std::move(opened));
 }
 
 }  // namespace mikromakro

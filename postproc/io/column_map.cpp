@@ -69,6 +69,12 @@ ColumnMap map_option(const std::vector<std::string>& list, std::size_t columns, 
   return map;
 }
 
+void keep_columns(ColumnMap& map, ColumnSet columns) {
+  map.given &= columns;
+  for (int& slot : map.slot_of_column)
+    if (slot >= 0 && (columns >> static_cast<unsigned>(slot) & 1U) == 0) slot = -1;
+}
+
 void require_columns(const ColumnMap& map, ColumnSet needed, const ColumnNames& names, const Place& place) {
   std::vector<std::string_view> missing;
   std::vector<std::string_view> given;

@@ -79,6 +79,9 @@ ColumnMap map_header(const std::vector<std::string>& header, const ColumnNames& 
 ColumnMap map_option(const std::vector<std::string>& list, std::size_t columns, const ColumnNames& names,
                      const Place& place);
 
+/// Skips all columns but these.
+void keep_columns(ColumnMap& map, ColumnSet columns);
+
 /// Throws, naming the missing columns, unless all of `needed` are given.
 void require_columns(const ColumnMap& map, ColumnSet needed, const ColumnNames& names, const Place& place);
 

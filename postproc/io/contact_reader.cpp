@@ -10,7 +10,6 @@
 namespace mikromakro {
 namespace {
 
-constexpr std::int64_t largest_reserve = 1 << 20;
 constexpr double unit_tolerance = 1e-5;
 constexpr ColumnSet normal_columns = column_set(ContactColumn::nx, ContactColumn::ny);
 constexpr ColumnSet derivable_columns = normal_columns | column_set(ContactColumn::overlap);
@@ -63,30 +62,39 @@ ColumnSet required_contact_columns(ColumnSet needed) {
   return (needed & ~derivable_columns) | column_set(ContactColumn::id1, ContactColumn::id2);
 }
 
-ContactRows read_contacts(DumpReader& dump, const DumpHeader& header, const std::vector<std::string>& list,
-                          ColumnSet needed) {
-  const Place place{dump.file(), header.line};
+ColumnSet wanted_contact_columns(ColumnSet needed, ColumnSet given) {
+  constexpr ColumnSet positions = column_set(ContactColumn::x1, ContactColumn::y1, ContactColumn::x2,
+                                             ContactColumn::y2, ContactColumn::periodic);
+  if (needed == 0) return given;
+  const ColumnSet derive_from = (derivable_columns & ~given) != 0 ? positions : 0;
+  return given &
+         (needed | derivable_columns | derive_from | column_set(ContactColumn::id1, ContactColumn::id2));
+}
+
+ContactRows read_contacts(const RowBlock& block, const std::vector<std::string>& list, ColumnSet needed) {
+  const DumpHeader& header = block.header;
+  Place place{block.file, header.line};
   if (header.of_particles())
     throw bad_input(place, "not a dump of contacts", "'ITEM: ENTRIES'", in_quotes("ITEM: " + header.label));
-  const ColumnMap map = map_contacts(header, list, place);
+  ColumnMap map = map_contacts(header, list, place);
   require_columns(map, required_contact_columns(needed), contact_names(), place);
+  keep_columns(map, wanted_contact_columns(needed, map.given));
 
   ContactRows contacts;
   contacts.given = map.given;
   contacts.needed = needed;
-  contacts.file = dump.file();
+  contacts.file = block.file;
   contacts.first_line = header.line + 1;
-  contacts.rows.reserve(static_cast<std::size_t>(std::min(header.rows, largest_reserve)));
+  contacts.rows.reserve(static_cast<std::size_t>(header.rows));
   const bool guessed = list.empty() && is_our_compute(header.columns);
   ContactRow row;
   row.value.fill(std::nan(""));
-  for (std::int64_t i = 0; i < header.rows; ++i) {
-    const std::string_view line = dump.next_row();
-    parse_row(line, map, row.value, dump.place());
-    check_contact_row(row, map.given, guessed, dump.place());
+  for (std::string_view rest = block.text; !rest.empty();) {
+    ++place.line;
+    parse_row(next_line(rest), map, row.value, place);
+    check_contact_row(row, map.given, guessed, place);
     contacts.rows.push_back(row);
   }
-  dump.end_frame();
   return contacts;
 }
 

@@ -37,11 +37,14 @@ void check_contact_row(const ContactRow& row, ColumnSet given, bool guessed, con
 /// The columns without which contacts cannot be joined: normal and overlap can be derived.
 ColumnSet required_contact_columns(ColumnSet needed);
 
-/// Reads the rows below `header`. `list` are the names of --contact-columns (empty: the header's own, or the
+/// The columns that are read of those `given`: nothing that can be left out; all of them without any wish (to
+/// copy frames).
+ColumnSet wanted_contact_columns(ColumnSet needed, ColumnSet given);
+
+/// Reads the rows of a frame. `list` are the names of --contact-columns (empty: the header's own, or the
 /// 16 columns of `compute contact/disc` where the header says c_X[1] ... c_X[16]); `needed` must be among
-/// them, except for normal and overlap, which can be derived. Throws: missing columns, and all that
-/// check_contact_row throws.
-ContactRows read_contacts(DumpReader& dump, const DumpHeader& header, const std::vector<std::string>& list,
-                          ColumnSet needed);
+/// them, except for normal and overlap, which can be derived. Columns that are not wanted are skipped,
+/// whatever they hold. Throws: missing columns, and all that check_contact_row throws.
+ContactRows read_contacts(const RowBlock& block, const std::vector<std::string>& list, ColumnSet needed);
 
 }  // namespace mikromakro

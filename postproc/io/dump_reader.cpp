@@ -14,7 +14,10 @@ constexpr std::string_view box_bounds = "BOX BOUNDS";
 }  // namespace
 
 bool DumpReader::next_header(DumpHeader& header) {
-  while (rows_left_ > 0) next_row();
+  if (rows_ > 0) {
+    std::string skipped;
+    cut_rows(skipped);
+  }
   end_frame();
   std::string_view line = ahead_;
   if (line.empty()) {
@@ -90,7 +93,7 @@ bool DumpReader::read_item(std::string_view line, DumpHeader& header) {
   if (header.columns.empty())
     throw bad_input(place(), "no column names", "names after the label", in_quotes(line));
   header.line = lines_.line();
-  rows_ = rows_left_ = header.rows;
+  rows_ = header.rows;
   return false;
 }
 
@@ -112,14 +115,22 @@ void DumpReader::read_box(std::string_view flags, Box& box) {
   }
 }
 
-std::string_view DumpReader::next_row() {
-  const auto expected = [this] { return fmt::format("{} rows", rows_); };
-  const auto got = [this] { return fmt::format("{}", rows_ - rows_left_); };
-  std::string_view line;
-  if (!lines_.next(line)) throw bad_input(place(), "the file ends within a frame", expected(), got());
-  if (line.starts_with(item_mark)) throw bad_input(place(), "the frame ends early", expected(), got());
-  --rows_left_;
-  return line;
+RowBlock DumpReader::take_rows(const DumpHeader& header) {
+  RowBlock block{file(), header, {}};
+  cut_rows(block.text);
+  end_frame();
+  return block;
+}
+
+void DumpReader::cut_rows(std::string& text) {
+  const std::int64_t got = lines_.take(rows_, item_mark, text);
+  if (got < rows_) {
+    std::string_view line;
+    const bool more = lines_.next(line);
+    throw bad_input(place(), more ? "the frame ends early" : "the file ends within a frame",
+                    fmt::format("{} rows", rows_), fmt::format("{}", got));
+  }
+  rows_ = 0;
 }
 
 }  // namespace mikromakro

@@ -1,4 +1,4 @@
-// Frames of a LAMMPS / LIGGGHTS text dump (`dump custom`, `dump local`), header by header and row by row.
+// Frames of a LAMMPS / LIGGGHTS text dump (`dump custom`, `dump local`): headers read, rows cut out.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +23,14 @@ struct DumpHeader {
   bool of_particles() const { return label == "ATOMS"; }
 };
 
+/// The rows below one header as text, cut out of a file and not parsed yet; row i is line header.line + 1 +
+/// i.
+struct RowBlock {
+  std::string file;
+  DumpHeader header;
+  std::string text;  ///< whole lines with their ends
+};
+
 /// Throws (bad input, with file and line) on whatever is not a dump: unknown or missing items, counts that
 /// are none, fewer rows than the header says, lines after the last row that do not begin a frame.
 class DumpReader {
@@ -32,18 +40,17 @@ class DumpReader {
   /// Reads the next header, after skipping rows that were not read; false at the end of the file.
   bool next_header(DumpHeader& header);
 
-  /// The next row of the frame; to be called at most header.rows times.
-  std::string_view next_row();
-
-  /// To be called after the last row: what follows must be another frame or the end of the file, so that a
-  /// count that is too small drops no row silently. Invalidates the last row.
-  void end_frame();
+  /// Cuts out the rows below the header that was read last. What follows must be another frame or the end of
+  /// the file, so that a count that is too small drops no row silently.
+  RowBlock take_rows(const DumpHeader& header);
 
   Place place() const { return lines_.place(); }
   const std::string& file() const { return lines_.file(); }
   std::int64_t bytes_read() const { return lines_.bytes_read(); }
 
  private:
+  void cut_rows(std::string& text);
+  void end_frame();
   Error not_a_frame(std::string_view line) const;
   std::string_view header_line(std::string_view expected);
   std::int64_t count_line(std::string_view what);
@@ -51,9 +58,8 @@ class DumpReader {
   bool read_item(std::string_view item, DumpHeader& header);
 
   LineReader lines_;
-  std::int64_t rows_ = 0;
-  std::int64_t rows_left_ = 0;
-  std::string ahead_;  ///< the first line of the next frame, where end_frame has read it
+  std::int64_t rows_ = 0;  ///< of the last header, until they are cut out
+  std::string ahead_;      ///< the first line of the next frame, where end_frame has read it
 };
 
 }  // namespace mikromakro

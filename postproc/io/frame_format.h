@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,10 @@ struct RawFrame {
   ContactRows contacts;
 };
 
+/// Makes a frame of bytes that were taken out of the files before; reads no file and shares nothing that
+/// changes, so that several threads may do it for several frames.
+using UnpackFrame = std::function<void(RawFrame&)>;
+
 /// One of the formats: text dumps, HDF5 snapshots, MercuryDPM files.
 class FrameFormat {
  public:
@@ -34,8 +39,8 @@ class FrameFormat {
 
   /// Goes to the next frame; false at the end.
   virtual bool next(std::int64_t& step) = 0;
-  /// Reads the frame that `next` has found; may be left out to skip it.
-  virtual void read(RawFrame& frame) = 0;
+  /// Takes the bytes of the frame that `next` has found; may be left out to skip it.
+  virtual UnpackFrame take() = 0;
   /// For the progress bar.
   virtual std::int64_t bytes_read() const = 0;
 };

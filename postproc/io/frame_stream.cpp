@@ -17,6 +17,18 @@ void check_ids(const IdMap& ids, const RawFrame& raw) {
                   fmt::format("{} again", raw.particles[static_cast<std::size_t>(twice)].id));
 }
 
+// Particles go over to the frame, contacts become those of particles.
+void join(RawFrame& raw, Frame& frame) {
+  const IdMap ids(raw.particles);
+  check_ids(ids, raw);
+  frame.step = raw.step;
+  frame.box = raw.box;
+  frame.contacts.clear();
+  if (raw.with_contacts) frame.contacts = join_contacts(raw.contacts, raw.particles, ids, frame.box);
+  // The rows are read anew for the next frame.
+  frame.particles.swap(raw.particles);
+}
+
 std::unique_ptr<FrameFormat> format_of(const FrameSource& source) {
   if (!source.snapshot_files.empty())
     return std::make_unique<SnapshotReader>(source.snapshot_files, source.wishes());
@@ -35,28 +47,32 @@ std::vector<std::string> FrameSource::files() const {
 FrameStream::FrameStream(const FrameSource& source)
     : selection_(source.selection), format_(format_of(source)) {}
 
-bool FrameStream::next(Frame& frame) {
+UnpackFrame FrameStream::take_raw() {
   std::int64_t step = 0;
   while (!over_ && format_->next(step)) {
     ++index_;
     over_ = selection_.over_after(index_, step);
-    if (!selection_.contains(index_, step)) continue;
-    read(frame);
-    return true;
+    if (selection_.contains(index_, step)) return format_->take();
   }
-  return false;
+  return {};
 }
 
-void FrameStream::read(Frame& frame) {
-  format_->read(raw_);
-  const IdMap ids(raw_.particles);
-  check_ids(ids, raw_);
-  frame.step = raw_.step;
-  frame.box = raw_.box;
-  frame.contacts.clear();
-  if (raw_.with_contacts) frame.contacts = join_contacts(raw_.contacts, raw_.particles, ids, frame.box);
-  // The rows are read anew for the next frame.
-  frame.particles.swap(raw_.particles);
+bool FrameStream::next(Frame& frame) {
+  const UnpackFrame unpack = take_raw();
+  if (!unpack) return false;
+  unpack(raw_);
+  join(raw_, frame);
+  return true;
+}
+
+MakeFrame FrameStream::take() {
+  UnpackFrame unpack = take_raw();
+  if (!unpack) return {};
+  return [unpack = std::move(unpack)](Frame& frame) {
+    RawFrame raw;
+    unpack(raw);
+    join(raw, frame);
+  };
 }
 
 }  // namespace mikromakro

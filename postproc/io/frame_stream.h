@@ -31,6 +31,9 @@ struct FrameSource {
   std::vector<std::string> files() const;
 };
 
+/// Makes the frame of bytes that were read before; any thread may do it.
+using MakeFrame = std::function<void(Frame&)>;
+
 /// Throws: ids that are there twice, and all that the formats and join_contacts throw.
 class FrameStream {
  public:
@@ -39,12 +42,16 @@ class FrameStream {
   /// Reads the next selected frame; false when there is none.
   bool next(Frame& frame);
 
-  /// The rows that the last frame was made of; particles are in the frame.
+  /// Takes the bytes of the next selected frame, so that the rest of the work can be done elsewhere while the
+  /// stream goes on; an empty function when there is none.
+  MakeFrame take();
+
+  /// The rows that the last frame of `next` was made of; particles are in the frame.
   const RawFrame& raw() const { return raw_; }
   std::int64_t bytes_read() const { return format_->bytes_read(); }
 
  private:
-  void read(Frame& frame);
+  UnpackFrame take_raw();
 
   FrameSelection selection_;
   std::unique_ptr<FrameFormat> format_;

@@ -1,4 +1,5 @@
-// The little of HDF5 that our files need; the library's own header is seen by hdf5_file.cpp only.
+// The little of HDF5 that our files need; the library's own header is seen by hdf5_file.cpp
+// and chunk_reader.cpp only.
 #pragma once
 
 #include <cstdint>
@@ -62,6 +63,9 @@ class Hdf5Dataset {
   Hdf5Dataset(Hdf5Id id, std::string place) : id_(std::move(id)), place_(std::move(place)) {}
 
   Hdf5Shape shape() const;
+  /// For messages.
+  const std::string& place() const { return place_; }
+  std::int64_t id() const { return id_.get(); }
   void grow(const Hdf5Shape& shape);
 
   template <typename T>

@@ -29,7 +29,36 @@ bool LineReader::next(std::string_view& line) {
     searched = end_ - begin_;
     if (!refill()) break;
   }
-  if (begin_ == end_) return false;
+  check_end();
+  return false;
+}
+
+std::int64_t LineReader::take(std::int64_t count, std::string_view stop, std::string& text) {
+  const std::int64_t first = line_;
+  for (bool stopped = false; !stopped && line_ - first < count;) {
+    const char* const from = buffer_.data() + begin_;
+    const char* const end = buffer_.data() + end_;
+    const char* at = from;
+    while (line_ - first < count) {
+      stopped = std::string_view(at, static_cast<std::size_t>(end - at)).starts_with(stop);
+      const void* found =
+          stopped || at == end ? nullptr : std::memchr(at, '\n', static_cast<std::size_t>(end - at));
+      if (found == nullptr) break;
+      at = static_cast<const char*>(found) + 1;
+      ++line_;
+    }
+    text.append(from, at);
+    begin_ += static_cast<std::size_t>(at - from);
+    if (!stopped && line_ - first < count && !refill()) {
+      check_end();
+      break;
+    }
+  }
+  return line_ - first;
+}
+
+void LineReader::check_end() const {
+  if (begin_ == end_) return;
   throw bad_input({file_, line_ + 1}, "the file ends within a line", "a line end after the last line",
                   in_quotes({buffer_.data() + begin_, end_ - begin_}));
 }

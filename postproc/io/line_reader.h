@@ -22,6 +22,10 @@ class LineReader {
   /// The next line without its end (LF or CRLF), valid until the next call; false at the end of the file.
   bool next(std::string_view& line);
 
+  /// Appends the next lines as they stand, ends included: `count` of them, fewer at the end of the file and
+  /// before a line that starts with `stop`. Gives how many.
+  std::int64_t take(std::int64_t count, std::string_view stop, std::string& text);
+
   const std::string& file() const { return file_; }
   std::int64_t line() const { return line_; }
   Place place() const { return {file_, line_}; }
@@ -31,6 +35,7 @@ class LineReader {
 
  private:
   bool refill();
+  void check_end() const;
 
   std::string file_;
   std::unique_ptr<ByteSource> source_;

@@ -9,9 +9,6 @@
 namespace mikromakro {
 namespace {
 
-// A count in a broken header must not make us ask for its memory at once.
-constexpr std::int64_t largest_reserve = 1 << 20;
-
 double positive(double value, std::string_view what, const Place& place) {
   if (value <= 0)
     throw bad_input(place, fmt::format("{} is not positive", what), "a number > 0", fmt::format("{}", value));
@@ -47,10 +44,10 @@ Particle particle_of(const ParticleSlots& slots, ColumnSet given_columns, const 
   return particle;
 }
 
-std::vector<Particle> read_particles(DumpReader& dump, const DumpHeader& header,
-                                     const std::vector<std::string>& list, ColumnSet needed,
-                                     ColumnSet& given) {
-  const Place place{dump.file(), header.line};
+std::vector<Particle> read_particles(const RowBlock& block, const std::vector<std::string>& list,
+                                     ColumnSet needed, ColumnSet& given) {
+  const DumpHeader& header = block.header;
+  Place place{block.file, header.line};
   if (!header.of_particles())
     throw bad_input(place, "not a dump of particles", "'ITEM: ATOMS'", in_quotes("ITEM: " + header.label));
   const ColumnMap map = list.empty() ? map_header(header.columns, particle_names(), place)
@@ -58,16 +55,15 @@ std::vector<Particle> read_particles(DumpReader& dump, const DumpHeader& header,
   require_columns(map, needed | particle_base_columns, particle_names(), place);
 
   std::vector<Particle> particles;
-  particles.reserve(static_cast<std::size_t>(std::min(header.rows, largest_reserve)));
+  particles.reserve(static_cast<std::size_t>(header.rows));
   given = map.given;
   ParticleSlots slots;
   slots.fill(not_given);
-  for (std::int64_t row = 0; row < header.rows; ++row) {
-    const std::string_view line = dump.next_row();
-    parse_row(line, map, slots, dump.place());
-    particles.push_back(particle_of(slots, map.given, dump.place()));
+  for (std::string_view rest = block.text; !rest.empty();) {
+    ++place.line;
+    parse_row(next_line(rest), map, slots, place);
+    particles.push_back(particle_of(slots, map.given, place));
   }
-  dump.end_frame();
   return particles;
 }
 

@@ -22,11 +22,10 @@ using ParticleSlots = std::array<double, static_cast<std::size_t>(ParticleColumn
 /// 1 or not whole, types below 1 where they are given.
 Particle particle_of(const ParticleSlots& slots, ColumnSet given, const Place& place);
 
-/// Turns the rows below `header` into particles (SI units as in the file).
+/// Turns the rows of a frame into particles (SI units as in the file).
 /// `list` are the names of --particle-columns (empty: the header's own); `needed` must be among them.
 /// Throws: missing columns, and all that particle_of throws. `given` becomes the columns that are there.
-std::vector<Particle> read_particles(DumpReader& dump, const DumpHeader& header,
-                                     const std::vector<std::string>& list, ColumnSet needed,
-                                     ColumnSet& given);
+std::vector<Particle> read_particles(const RowBlock& block, const std::vector<std::string>& list,
+                                     ColumnSet needed, ColumnSet& given);
 
 }  // namespace mikromakro

@@ -53,6 +53,14 @@ std::vector<std::string_view> words(std::string_view line) {
   return all;
 }
 
+std::string_view next_line(std::string_view& rest) {
+  const std::size_t end = rest.find('\n');
+  std::string_view line = rest.substr(0, end);
+  rest.remove_prefix(end + 1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
 double parse_number(std::string_view word, const Place& place) {
   double number = 0;
   const char* const end = word.data() + word.size();
@@ -64,7 +72,8 @@ double parse_number(std::string_view word, const Place& place) {
 }
 
 bool is_integer(double number) {
-  return number == std::floor(number) && std::abs(number) <= largest_integer;
+  return std::abs(number) <= largest_integer &&
+         number == static_cast<double>(static_cast<std::int64_t>(number));
 }
 
 std::int64_t as_integer(double number, std::string_view what, const Place& place) {

@@ -17,6 +17,10 @@ std::string_view next_word(std::string_view& rest);
 /// All words of a line.
 std::vector<std::string_view> words(std::string_view line);
 
+/// The next line of `rest` without its end (LF or CRLF), cut off from it; only to be called where there is
+/// one.
+std::string_view next_line(std::string_view& rest);
+
 /// A finite number. Throws for anything else, nan and inf and numbers beyond double included.
 double parse_number(std::string_view word, const Place& place);
 

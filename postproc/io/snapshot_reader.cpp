@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "io/chunk_reader.h"
 #include "io/particle_reader.h"
 #include "io/snapshot_layout.h"
 
@@ -34,19 +36,15 @@ std::string contact_path(std::size_t slot) {
   return snapshot::contacts + std::string(contact_column_names[slot]);
 }
 
-// The columns that are read: nothing that can be left out. Without any wish (to copy frames) all of them.
-ColumnSet wanted_contact_columns(ColumnSet needed, ColumnSet given) {
-  constexpr ColumnSet geometry = column_set(ContactColumn::nx, ContactColumn::ny, ContactColumn::overlap);
-  constexpr ColumnSet positions = column_set(ContactColumn::x1, ContactColumn::y1, ContactColumn::x2,
-                                             ContactColumn::y2, ContactColumn::periodic);
-  if (needed == 0) return given;
-  const ColumnSet derive_from = (geometry & ~given) != 0 ? positions : 0;
-  return given & (needed | geometry | derive_from | column_set(ContactColumn::id1, ContactColumn::id2));
-}
-
 void check_finite(double number, const Place& place) {
   if (!std::isfinite(number))
     throw bad_input(place, "not a finite number", "a finite number", fmt::format("{}", number));
+}
+
+template <typename Slots>
+void check_row(const Slots& slots, ColumnSet given, const Place& place) {
+  for (std::size_t slot = 0; slot < slots.size(); ++slot)
+    if ((given >> slot & 1U) != 0) check_finite(slots[slot], place);
 }
 
 }  // namespace
@@ -84,35 +82,58 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
   return summary;
 }
 
+// The boxes of all frames (32 bytes each).
+struct Boxes {
+  explicit Boxes(const Hdf5File& file, const SnapshotSummary& summary)
+      : low(all_corners(file, "low", summary)), edges(all_corners(file, "edges", summary)) {
+    const auto boundary = file.text_attribute("/particles/discs/box", "boundary");
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      periodic[axis] = axis < boundary.size() && boundary[axis] == "periodic";
+  }
+
+  Box of(std::size_t frame) const {
+    const Eigen::Vector2d corner(low[2 * frame], low[2 * frame + 1]);
+    return {corner, corner + Eigen::Vector2d(edges[2 * frame], edges[2 * frame + 1]), periodic};
+  }
+
+  static std::vector<double> all_corners(const Hdf5File& file, const std::string& name,
+                                         const SnapshotSummary& summary) {
+    std::vector<double> numbers(2 * summary.steps.size());
+    file.dataset("/particles/discs/box/" + name + "/value")
+        .read<double>({{0, 0}, {summary.steps.size(), 2}}, numbers);
+    for (const double number : numbers) check_finite(number, {name});
+    return numbers;
+  }
+
+  std::vector<double> low, edges;
+  std::array<bool, 2> periodic = {false, false};
+};
+
 struct SnapshotReader::Open {
   Open(const std::string& name, const ColumnWishes& wishes)
-      : file(Hdf5File::open(name)), summary(summarise_snapshots(file, name)) {
+      : file(Hdf5File::open(name)), summary(summarise_snapshots(file, name)), boxes(file, summary) {
     const ColumnMap particles{{}, summary.particles_given};
     require_columns(particles, wishes.particles_needed | particle_base_columns,
                     without_option(particle_names()), {name});
-    for (const auto& element : snapshot::elements)
-      if ((element.columns() & summary.particles_given) != 0)
-        elements.push_back(file.dataset(value_path(element)));
-      else
-        elements.emplace_back();
     const ColumnMap contacts{{}, summary.contacts_given};
     if (wishes.contacts_needed != 0)
       require_columns(contacts, required_contact_columns(wishes.contacts_needed),
                       without_option(contact_names()), {name});
+    for (const auto& element : snapshot::elements)
+      elements.push_back((element.columns() & summary.particles_given) != 0
+                             ? ChunkReader(file.dataset(value_path(element)))
+                             : ChunkReader());
+    const ColumnSet wanted = wanted_contact_columns(wishes.contacts_needed, summary.contacts_given);
     for (std::size_t slot = 0; slot < std::size(contact_column_names); ++slot)
-      columns.push_back((summary.contacts_given >> slot & 1U) != 0 ? file.dataset(contact_path(slot))
-                                                                   : Hdf5Dataset());
-    low = file.dataset("/particles/discs/box/low/value");
-    edges = file.dataset("/particles/discs/box/edges/value");
-    boundary = file.text_attribute("/particles/discs/box", "boundary");
+      columns.push_back((wanted >> slot & 1U) != 0 ? ChunkReader(file.dataset(contact_path(slot)))
+                                                   : ChunkReader());
   }
 
   Hdf5File file;
   SnapshotSummary summary;
-  std::vector<Hdf5Dataset> elements;
-  std::vector<Hdf5Dataset> columns;
-  Hdf5Dataset low, edges;
-  std::vector<std::string> boundary;
+  Boxes boxes;
+  std::vector<ChunkReader> elements;  // by the order of snapshot::elements
+  std::vector<ChunkReader> columns;   // by ContactColumn
 };
 
 SnapshotReader::SnapshotReader(std::vector<std::string> files, ColumnWishes wishes)
@@ -143,81 +164,106 @@ bool SnapshotReader::next(std::int64_t& step) {
   return true;
 }
 
-void SnapshotReader::read(RawFrame& frame) {
-  frame.step = last_step_;
-  read_box(frame.box);
-  read_particles(frame);
-  frame.with_contacts = !open_->summary.contact_offsets.empty();
-  if (frame.with_contacts) read_contacts(frame);
+// A frame as it lies in the file.
+struct SnapshotReader::Packed {
+  std::string place;
+  std::int64_t step = 0;
+  Box box;
+  ColumnSet particles_given = 0;
+  std::vector<PackedNumbers> elements;
+  bool with_contacts = false;
+  ColumnSet contacts_given = 0;
+  ColumnSet contacts_needed = 0;
+  std::vector<PackedNumbers> columns;
+
+  void unpack(RawFrame& frame) const;
+  void unpack_particles(RawFrame& frame) const;
+  void unpack_contacts(ContactRows& rows) const;
+};
+
+UnpackFrame SnapshotReader::take() {
+  const auto packed = std::make_shared<Packed>();
+  const SnapshotSummary& summary = open_->summary;
+  const std::uint64_t frame = frame_ - 1;
+  packed->place = place();
+  packed->step = last_step_;
+  packed->box = open_->boxes.of(frame);
+  packed->particles_given = summary.particles_given;
+  for (std::size_t i = 0; i < std::size(snapshot::elements); ++i) {
+    const bool given = (snapshot::elements[i].columns() & ~summary.particles_given) == 0;
+    packed->elements.push_back(given ? open_->elements[i].take_row(frame, summary.most_particles)
+                                     : PackedNumbers());
+  }
+  packed->with_contacts = !summary.contact_offsets.empty();
+  if (packed->with_contacts) {
+    packed->contacts_needed = wishes_.contacts_needed;
+    packed->contacts_given = wanted_contact_columns(wishes_.contacts_needed, summary.contacts_given);
+    const auto begin = static_cast<std::uint64_t>(summary.contact_offsets[frame]);
+    const std::uint64_t count = static_cast<std::uint64_t>(summary.contact_offsets[frame + 1]) - begin;
+    for (std::size_t slot = 0; slot < std::size(contact_column_names); ++slot)
+      packed->columns.push_back((packed->contacts_given >> slot & 1U) != 0
+                                    ? open_->columns[slot].take(begin, count)
+                                    : PackedNumbers());
+  }
+  return [packed](RawFrame& raw) { packed->unpack(raw); };
 }
 
-void SnapshotReader::read_box(Box& box) const {
-  Eigen::Vector2d length;
-  open_->low.read<double>({{frame_ - 1, 0}, {1, 2}}, {box.low.data(), 2});
-  open_->edges.read<double>({{frame_ - 1, 0}, {1, 2}}, {length.data(), 2});
-  box.high = box.low + length;
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    box.periodic[axis] = axis < open_->boundary.size() && open_->boundary[axis] == "periodic";
+void SnapshotReader::Packed::unpack(RawFrame& frame) const {
+  frame.step = step;
+  frame.box = box;
+  unpack_particles(frame);
+  frame.with_contacts = with_contacts;
+  if (with_contacts) unpack_contacts(frame.contacts);
 }
 
-void SnapshotReader::read_particles(RawFrame& frame) const {
-  const std::string where = place();
-  const std::uint64_t places = open_->summary.most_particles;
-  std::vector<std::int64_t> ids(places);
-  open_->elements.front().read<std::int64_t>({{frame_ - 1, 0}, {1, places}}, ids);
+void SnapshotReader::Packed::unpack_particles(RawFrame& frame) const {
+  std::vector<std::int64_t> ids(elements.front().size());
+  elements.front().unpack(ids);
   const auto count =
-      static_cast<std::uint64_t>(std::find(ids.begin(), ids.end(), snapshot::no_id) - ids.begin());
-  constexpr auto width = static_cast<std::size_t>(ParticleColumn::count);
+      static_cast<std::size_t>(std::find(ids.begin(), ids.end(), snapshot::no_id) - ids.begin());
   std::vector<ParticleSlots> slots(count);
   for (auto& slot : slots) slot.fill(not_given);
   std::vector<double> numbers;
   for (std::size_t i = 0; i < std::size(snapshot::elements); ++i) {
     const auto& element = snapshot::elements[i];
-    if ((element.columns() & ~open_->summary.particles_given) != 0) continue;
-    const auto per_disc = static_cast<std::uint64_t>(element.width);
-    numbers.resize(count * per_disc);
-    const Hdf5Block block = per_disc == 1 ? Hdf5Block{{frame_ - 1, 0}, {1, count}}
-                                          : Hdf5Block{{frame_ - 1, 0, 0}, {1, count, per_disc}};
-    open_->elements[i].read<double>(block, numbers);
+    if ((element.columns() & ~particles_given) != 0) continue;
+    numbers.resize(elements[i].size());
+    elements[i].unpack(numbers);
+    const auto width = static_cast<std::size_t>(element.width);
     const auto first = static_cast<std::size_t>(element.first);
-    for (std::size_t disc = 0; disc < count; ++disc) {
-      for (std::size_t axis = 0; axis < per_disc && first + axis < width; ++axis) {
-        slots[disc][first + axis] = numbers[disc * per_disc + axis];
-        check_finite(slots[disc][first + axis], {where, static_cast<std::int64_t>(disc) + 1});
-      }
-    }
+    for (std::size_t disc = 0; disc < count; ++disc)
+      for (std::size_t axis = 0; axis < width; ++axis)
+        slots[disc][first + axis] = numbers[disc * width + axis];
   }
-  frame.particle_file = where;
+  frame.particle_file = place;
   frame.first_particle_line = 1;
-  frame.particles_given = open_->summary.particles_given;
+  frame.particles_given = particles_given;
   frame.particles.clear();
-  for (std::size_t disc = 0; disc < count; ++disc)
-    frame.particles.push_back(
-        particle_of(slots[disc], frame.particles_given, {where, static_cast<std::int64_t>(disc) + 1}));
+  frame.particles.reserve(count);
+  for (std::size_t disc = 0; disc < count; ++disc) {
+    const Place row{place, static_cast<std::int64_t>(disc) + 1};
+    check_row(slots[disc], particles_given, row);
+    frame.particles.push_back(particle_of(slots[disc], particles_given, row));
+  }
 }
 
-void SnapshotReader::read_contacts(RawFrame& frame) const {
-  const auto& offsets = open_->summary.contact_offsets;
-  const auto begin = static_cast<std::uint64_t>(offsets[frame_ - 1]);
-  const std::uint64_t count = static_cast<std::uint64_t>(offsets[frame_]) - begin;
-  ContactRows& rows = frame.contacts;
-  rows.file = place();
+void SnapshotReader::Packed::unpack_contacts(ContactRows& rows) const {
+  rows.file = place;
   rows.first_line = 1;
-  rows.given = wanted_contact_columns(wishes_.contacts_needed, open_->summary.contacts_given);
-  rows.needed = wishes_.contacts_needed;
+  rows.given = contacts_given;
+  rows.needed = contacts_needed;
   ContactRow empty{};
   empty.value.fill(not_given);
-  rows.rows.assign(count, empty);
-  std::vector<double> numbers(count);
-  for (std::size_t slot = 0; slot < open_->columns.size(); ++slot) {
-    if ((rows.given >> slot & 1U) == 0) continue;
-    open_->columns[slot].read<double>({{begin}, {count}}, numbers);
-    for (std::size_t i = 0; i < count; ++i) rows.rows[i].value[slot] = numbers[i];
+  rows.rows.assign(columns.front().size(), empty);
+  std::vector<double> numbers(rows.rows.size());
+  for (std::size_t slot = 0; slot < columns.size(); ++slot) {
+    if ((contacts_given >> slot & 1U) == 0) continue;
+    columns[slot].unpack(numbers);
+    for (std::size_t i = 0; i < numbers.size(); ++i) rows.rows[i].value[slot] = numbers[i];
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t slot = 0; slot < open_->columns.size(); ++slot)
-      if ((rows.given >> slot & 1U) != 0) check_finite(rows.rows[i].value[slot], rows.place(i));
-    check_contact_row(rows.rows[i], rows.given, false, rows.place(i));
+  for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+    check_row(rows.rows[i].value, contacts_given, rows.place(i));
+    check_contact_row(rows.rows[i], contacts_given, false, rows.place(i));
   }
 }
 

@@ -31,15 +31,13 @@ class SnapshotReader : public FrameFormat {
   ~SnapshotReader() override;
 
   bool next(std::int64_t& step) override;
-  void read(RawFrame& frame) override;
+  UnpackFrame take() override;
   std::int64_t bytes_read() const override { return bytes_; }
 
  private:
   struct Open;
+  struct Packed;
   bool open_next();
-  void read_box(Box& box) const;
-  void read_particles(RawFrame& frame) const;
-  void read_contacts(RawFrame& frame) const;
   std::string place() const;
 
   std::vector<std::string> files_;

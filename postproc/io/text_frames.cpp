@@ -44,7 +44,7 @@ bool DumpSequence::next(DumpHeader& header) {
 
 TextFrames::TextFrames(const std::vector<std::string>& particle_files,
                        const std::vector<std::string>& contact_files, ColumnWishes wishes)
-    : wishes_(std::move(wishes)), particles_(particle_files) {
+    : wishes_(std::make_shared<const ColumnWishes>(std::move(wishes))), particles_(particle_files) {
   if (!contact_files.empty()) contacts_.emplace(contact_files);
 }
 
@@ -75,17 +75,20 @@ void TextFrames::check_partners(bool some_particles, bool some_contacts) {
       some_other ? fmt::format("step {} there", other.step) : "no more frames there");
 }
 
-void TextFrames::read(RawFrame& frame) {
-  frame.step = of_particles_.step;
-  frame.box = of_particles_.box;
-  frame.particle_file = particles_.dump().file();
-  frame.first_particle_line = of_particles_.line + 1;
-  frame.particles = read_particles(particles_.dump(), of_particles_, wishes_.particle_columns,
-                                   wishes_.particles_needed, frame.particles_given);
-  frame.with_contacts = contacts_.has_value();
-  if (contacts_)
-    frame.contacts =
-        read_contacts(contacts_->dump(), of_contacts_, wishes_.contact_columns, wishes_.contacts_needed);
+UnpackFrame TextFrames::take() {
+  const auto particles = std::make_shared<const RowBlock>(particles_.dump().take_rows(of_particles_));
+  const auto contacts =
+      contacts_ ? std::make_shared<const RowBlock>(contacts_->dump().take_rows(of_contacts_)) : nullptr;
+  return [wishes = wishes_, particles, contacts](RawFrame& frame) {
+    frame.step = particles->header.step;
+    frame.box = particles->header.box;
+    frame.particle_file = particles->file;
+    frame.first_particle_line = particles->header.line + 1;
+    frame.particles =
+        read_particles(*particles, wishes->particle_columns, wishes->particles_needed, frame.particles_given);
+    frame.with_contacts = contacts != nullptr;
+    if (contacts) frame.contacts = read_contacts(*contacts, wishes->contact_columns, wishes->contacts_needed);
+  };
 }
 
 }  // namespace mikromakro

@@ -46,13 +46,13 @@ class TextFrames : public FrameFormat {
              ColumnWishes wishes);
 
   bool next(std::int64_t& step) override;
-  void read(RawFrame& frame) override;
+  UnpackFrame take() override;
   std::int64_t bytes_read() const override;
 
  private:
   void check_partners(bool some_particles, bool some_contacts);
 
-  ColumnWishes wishes_;
+  std::shared_ptr<const ColumnWishes> wishes_;
   DumpSequence particles_;
   std::optional<DumpSequence> contacts_;
   DumpHeader of_particles_;
