@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/mercury_summary.h"
 #include "io/csv_reader.h"
 #include "io/dump_reader.h"
 #include "io/error.h"
@@ -164,6 +165,8 @@ void info(const InfoOptions& options) {
     if (Hdf5File::recognises(file)) {
       const SnapshotSummary summary = summarise_snapshots(Hdf5File::open(file), file);
       options.json ? objects.push_back(snapshots_json(file, summary).text()) : print_snapshots(file, summary);
+    } else if (is_mercury_file(file)) {
+      options.json ? objects.push_back(mercury_json(file).text()) : print_mercury(file);
     } else if (is_table(file)) {
       const CsvTable table(file);
       options.json ? objects.push_back(table_json(table).text()) : print_table(table);

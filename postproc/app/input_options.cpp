@@ -10,9 +10,14 @@ namespace mikromakro {
 
 void add_input_options(CLI::App& app, InputOptions& options) {
   app.add_option("input", options.snapshots, "HDF5 snapshots (names or patterns), instead of text dumps");
-  app.add_option("--particles", options.particles,
-                 "text dumps of particles (names or patterns; plain or compressed by gzip or zstd)");
-  app.add_option("--contacts", options.contacts, "text dumps of contacts");
+  app.add_option(
+      "--particles", options.particles,
+      "text dumps of particles, or .data of MercuryDPM (names or patterns; plain or compressed by gzip "
+      "or zstd); given again for every further run");
+  app.add_option("--contacts", options.contacts,
+                 "text dumps of contacts, or .fstat; as often as --particles");
+  app.add_option("--density", options.density, "areal density rho h (kg/m^2) for files that give no masses")
+      ->check(CLI::PositiveNumber);
   app.add_option("--frames", options.frames, "FIRST:LAST[:STEP]: frames by index from 0");
   app.add_option("--steps", options.steps, "A:B: frames by time step");
   app.add_option("--particle-columns", options.particle_columns, "names of all columns, - to skip one")
@@ -20,6 +25,26 @@ void add_input_options(CLI::App& app, InputOptions& options) {
   app.add_option("--contact-columns", options.contact_columns, "names of all columns, - to skip one")
       ->delimiter(',');
 }
+
+namespace {
+
+void add_runs(const InputOptions& options, FrameSource& source) {
+  if (!options.contacts.empty() && options.contacts.size() != options.particles.size())
+    throw bad_input({"--contacts"}, "runs do not match", fmt::format("{} times", options.particles.size()),
+                    fmt::format("{}", options.contacts.size()));
+  for (std::size_t i = 0; i < options.particles.size(); ++i) {
+    Run run{expand_files(options.particles[i]), {}};
+    if (!options.contacts.empty()) run.contact_files = expand_files(options.contacts[i]);
+    if (i > 0) {
+      source.further_runs.push_back(std::move(run));
+    } else {
+      source.particle_files = std::move(run.particle_files);
+      source.contact_files = std::move(run.contact_files);
+    }
+  }
+}
+
+}  // namespace
 
 FrameSource frame_source(const InputOptions& options) {
   if (options.snapshots.empty() == options.particles.empty())
@@ -30,8 +55,8 @@ FrameSource frame_source(const InputOptions& options) {
                     "--contacts beside --particles only", "both");
   FrameSource source;
   source.snapshot_files = expand_files(options.snapshots);
-  source.particle_files = expand_files(options.particles);
-  source.contact_files = expand_files(options.contacts);
+  add_runs(options, source);
+  source.density = options.density;
   source.particle_columns = options.particle_columns;
   source.contact_columns = options.contact_columns;
   if (!options.frames.empty()) select_frames(options.frames, source.selection);
@@ -57,8 +82,15 @@ FrameSource source_of(const InputOptions& options, const Averager& averager) {
 
 void describe_input(const InputOptions& options, const FrameSource& source, Preamble& lines) {
   for (const std::string& file : source.snapshot_files) lines.emplace_back("snapshots", file);
-  for (const std::string& file : source.particle_files) lines.emplace_back("particles", file);
-  for (const std::string& file : source.contact_files) lines.emplace_back("contacts", file);
+  const auto add = [&](const Run& run) {
+    for (const std::string& file : run.particle_files) lines.emplace_back("particles", file);
+    for (const std::string& file : run.contact_files) lines.emplace_back("contacts", file);
+  };
+  if (!source.further_runs.empty())
+    lines.emplace_back("runs", fmt::format("{}, one after the other", source.further_runs.size() + 1));
+  add({source.particle_files, source.contact_files});
+  for (const Run& run : source.further_runs) add(run);
+  if (source.density > 0) lines.emplace_back("density", fmt::format("{} kg/m^2", source.density));
   if (!options.particle_columns.empty())
     lines.emplace_back("particle columns", fmt::format("{}", fmt::join(options.particle_columns, ",")));
   if (!options.contact_columns.empty())

@@ -12,7 +12,9 @@
 namespace mikromakro {
 
 struct InputOptions {
-  std::vector<std::string> snapshots, particles, contacts, particle_columns, contact_columns;
+  std::vector<std::string> snapshots, particle_columns, contact_columns;
+  std::vector<std::vector<std::string>> particles, contacts;  ///< for each run
+  double density = 0;
   std::string frames, steps;
 };
 

@@ -11,6 +11,7 @@ namespace mikromakro {
 
 /// What is summed over one frame.
 struct FrameSums {
+  std::int64_t index = 0;  ///< of the frame, see Frame
   std::int64_t step = 0;
   Rows sums;
 };

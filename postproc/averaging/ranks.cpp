@@ -78,7 +78,7 @@ class Rounds {
     collect(at_end);
     ranks_.agree([this] {
       std::sort(collected_.begin(), collected_.end(),
-                [](const FrameSums& a, const FrameSums& b) { return a.step < b.step; });
+                [](const FrameSums& a, const FrameSums& b) { return a.index < b.index; });
       for (const FrameSums& sums : collected_) take_(sums);
     });
     over_ = all_at_end_;
@@ -114,15 +114,17 @@ class Rounds {
 
   void send() const {
     for (const FrameSums& sums : waiting_) {
-      MPI_Send(&sums.step, 1, MPI_INT64_T, 0, 0, MPI_COMM_WORLD);
+      const std::int64_t frame[2] = {sums.index, sums.step};
+      MPI_Send(frame, 2, MPI_INT64_T, 0, 0, MPI_COMM_WORLD);
       MPI_Send(sums.sums.data(), static_cast<int>(sums.sums.size()), MPI_DOUBLE, 0, 0, MPI_COMM_WORLD);
     }
   }
 
   void receive(const Header& header, int from) {
     for (std::int64_t i = 0; i < header.frames; ++i) {
-      FrameSums sums{0, Rows(header.rows, header.columns)};
-      MPI_Recv(&sums.step, 1, MPI_INT64_T, from, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+      std::int64_t frame[2] = {};
+      MPI_Recv(frame, 2, MPI_INT64_T, from, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+      FrameSums sums{frame[0], frame[1], Rows(header.rows, header.columns)};
       MPI_Recv(sums.sums.data(), static_cast<int>(sums.sums.size()), MPI_DOUBLE, from, 0, MPI_COMM_WORLD,
                MPI_STATUS_IGNORE);
       collected_.push_back(std::move(sums));

@@ -33,7 +33,7 @@ class Ranks {
   /// The frames of this rank: r, r + P, ... of the selected ones.
   FrameSelection own_part(FrameSelection selection) const;
 
-  /// Gives the sums of all ranks' frames to `take` on rank 0, in the order of their time steps. `run` is
+  /// Gives the sums of all ranks' frames to `take` on rank 0, in the order of the frames. `run` is
   /// called on every rank; it gives the sums of the rank's own frames, in their order, to its argument. Sums
   /// wait for those of other ranks in rounds of at most `most_bytes` per rank. Where `run` throws on any
   /// rank, all throw the error that a single rank would have met first. All ranks call it together.

@@ -8,7 +8,7 @@
 namespace mikromakro {
 namespace {
 
-constexpr int pieces_of_a_turn = 180;
+constexpr double longest_piece = 2;  // degrees
 
 Eigen::Index place_of(const Table& table, std::string_view name) {
   const auto found = std::find_if(table.columns.begin(), table.columns.end(),
@@ -16,14 +16,22 @@ Eigen::Index place_of(const Table& table, std::string_view name) {
   return found == table.columns.end() ? -1 : found - table.columns.begin();
 }
 
-void add_ring(double inner, double outer, const Eigen::Vector2d& center, Eigen::Index row,
-              std::vector<Outline>& outlines) {
-  constexpr double step = 2 * std::numbers::pi / pieces_of_a_turn;
+// Part of a ring between two directions (degrees).
+struct Sector {
+  double inner, outer, begin, end;
+};
+
+void add_sector(const Sector& sector, const Eigen::Vector2d& center, Eigen::Index row,
+                std::vector<Outline>& outlines) {
+  const int pieces = static_cast<int>(std::ceil((sector.end - sector.begin) / longest_piece));
   const auto at = [&](double radius, int piece) -> Eigen::Vector2d {
-    return center + radius * Eigen::Vector2d(std::cos(piece * step), std::sin(piece * step));
+    const double angle =
+        (sector.begin + (sector.end - sector.begin) * piece / pieces) * std::numbers::pi / 180;
+    return center + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
   };
-  for (int i = 0; i < pieces_of_a_turn; ++i)
-    outlines.push_back({{at(inner, i), at(outer, i), at(outer, i + 1), at(inner, i + 1)}, row});
+  for (int i = 0; i < pieces; ++i)
+    outlines.push_back(
+        {{at(sector.inner, i), at(sector.outer, i), at(sector.outer, i + 1), at(sector.inner, i + 1)}, row});
 }
 
 }  // namespace
@@ -31,11 +39,15 @@ void add_ring(double inner, double outer, const Eigen::Vector2d& center, Eigen::
 std::vector<Outline> volume_outlines(const Table& table, const Eigen::Vector2d& center) {
   const Eigen::Index inner = place_of(table, "r_inner");
   const Eigen::Index outer = place_of(table, "r_outer");
+  const Eigen::Index begin = place_of(table, "phi_begin");
   const Eigen::Index x = place_of(table, "x_min");
   std::vector<Outline> outlines;
   for (Eigen::Index row = 0; row < table.rows.rows(); ++row) {
-    if (inner >= 0 && outer >= 0)
-      add_ring(table.rows(row, inner), table.rows(row, outer), center, row, outlines);
+    if (inner >= 0 && outer >= 0) {
+      const double first = begin < 0 ? 0 : table.rows(row, begin);
+      const double last = begin < 0 ? 360 : table.rows(row, place_of(table, "phi_end"));
+      add_sector({table.rows(row, inner), table.rows(row, outer), first, last}, center, row, outlines);
+    }
     if (x < 0) continue;
     const double right = table.rows(row, place_of(table, "x_max"));
     const double low = table.rows(row, place_of(table, "y_min"));

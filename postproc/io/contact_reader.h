@@ -17,16 +17,19 @@ struct ContactRow {
   double operator[](ContactColumn column) const { return value[static_cast<std::size_t>(column)]; }
 };
 
-/// The rows of a frame; row i stands in line first_line + i.
+/// The rows of a frame; row i stands in line first_line + i, or in lines[i] where some lines are no rows.
 struct ContactRows {
   std::vector<ContactRow> rows;
   ColumnSet given = 0;
   ColumnSet needed = 0;
   std::string file;
   std::int64_t first_line = 0;
+  std::vector<std::int64_t> lines = {};
 
   bool has(ColumnSet columns) const { return (columns & ~given) == 0; }
-  Place place(std::size_t row) const { return {file, first_line + static_cast<std::int64_t>(row)}; }
+  Place place(std::size_t row) const {
+    return {file, lines.empty() ? first_line + static_cast<std::int64_t>(row) : lines[row]};
+  }
 };
 
 /// Throws where an id is no whole number, or a normal is given that is no unit vector within 1e-5 (the

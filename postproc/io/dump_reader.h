@@ -20,6 +20,7 @@ struct DumpHeader {
   std::vector<std::string> columns;
   std::int64_t line = 0;  ///< of the line with the column names
 
+  std::int64_t order() const { return step; }
   bool of_particles() const { return label == "ATOMS"; }
 };
 
@@ -35,6 +36,9 @@ struct RowBlock {
 /// are none, fewer rows than the header says, lines after the last row that do not begin a frame.
 class DumpReader {
  public:
+  using Header = DumpHeader;
+  static constexpr std::string_view not_ascending = "time steps do not ascend";
+
   explicit DumpReader(const std::string& file) : lines_(file) {}
 
   /// Reads the next header, after skipping rows that were not read; false at the end of the file.

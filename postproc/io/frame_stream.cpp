@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
+
 #include "io/contact_geometry.h"
 #include "io/id_map.h"
+#include "io/mercury_frames.h"
+#include "io/run_sequence.h"
 #include "io/snapshot_reader.h"
 
 namespace mikromakro {
@@ -15,6 +19,17 @@ void check_ids(const IdMap& ids, const RawFrame& raw) {
   throw bad_input({raw.particle_file, raw.first_particle_line + twice}, "two particles of one id",
                   "each id once per frame",
                   fmt::format("{} again", raw.particles[static_cast<std::size_t>(twice)].id));
+}
+
+void set_masses(RawFrame& raw, double density) {
+  if (density == 0) return;
+  constexpr ColumnSet mass = column_set(ParticleColumn::mass);
+  if ((raw.particles_given & mass) != 0)
+    throw bad_input({raw.particle_file, raw.first_particle_line - 1}, "the file gives masses",
+                    "no --density beside them", "both");
+  for (Particle& particle : raw.particles)
+    particle.mass = density * std::numbers::pi * particle.radius * particle.radius;
+  raw.particles_given |= mass;
 }
 
 // Particles go over to the frame, contacts become those of particles.
@@ -29,29 +44,57 @@ void join(RawFrame& raw, Frame& frame) {
   frame.particles.swap(raw.particles);
 }
 
+std::unique_ptr<FrameFormat> open_run(const Run& run, const ColumnWishes& wishes) {
+  if (MercuryDataReader::recognises(run.particle_files.front()))
+    return std::make_unique<MercuryFrames>(run.particle_files, run.contact_files, wishes);
+  return std::make_unique<TextFrames>(run.particle_files, run.contact_files, wishes);
+}
+
 std::unique_ptr<FrameFormat> format_of(const FrameSource& source) {
   if (!source.snapshot_files.empty())
     return std::make_unique<SnapshotReader>(source.snapshot_files, source.wishes());
-  return std::make_unique<TextFrames>(source.particle_files, source.contact_files, source.wishes());
+  std::vector<RunSequence::Open> runs;
+  const auto add = [&](const Run& run) {
+    runs.emplace_back([run, wishes = source.wishes()] { return open_run(run, wishes); });
+  };
+  add({source.particle_files, source.contact_files});
+  for (const Run& run : source.further_runs) add(run);
+  return std::make_unique<RunSequence>(std::move(runs));
 }
 
 }  // namespace
 
+ColumnWishes FrameSource::wishes() const {
+  const ColumnSet mass = density > 0 ? column_set(ParticleColumn::mass) : 0;
+  return {particle_columns, contact_columns, particles_needed & ~mass, contacts_needed};
+}
+
 std::vector<std::string> FrameSource::files() const {
   std::vector<std::string> all = snapshot_files;
-  all.insert(all.end(), particle_files.begin(), particle_files.end());
-  all.insert(all.end(), contact_files.begin(), contact_files.end());
+  const auto add = [&](const std::vector<std::string>& files) {
+    all.insert(all.end(), files.begin(), files.end());
+  };
+  add(particle_files);
+  add(contact_files);
+  for (const Run& run : further_runs) {
+    add(run.particle_files);
+    add(run.contact_files);
+  }
   return all;
 }
 
 FrameStream::FrameStream(const FrameSource& source)
-    : selection_(source.selection), format_(format_of(source)) {}
+    : selection_(source.selection),
+      density_(source.density),
+      one_run_(source.further_runs.empty()),
+      format_(format_of(source)) {}
 
 UnpackFrame FrameStream::take_raw() {
   std::int64_t step = 0;
   while (!over_ && format_->next(step)) {
     ++index_;
-    over_ = selection_.over_after(index_, step);
+    // A later run begins with small steps again.
+    over_ = one_run_ ? selection_.over_after(index_, step) : index_ >= selection_.last;
     if (selection_.contains(index_, step)) return format_->take();
   }
   return {};
@@ -61,17 +104,21 @@ bool FrameStream::next(Frame& frame) {
   const UnpackFrame unpack = take_raw();
   if (!unpack) return false;
   unpack(raw_);
+  set_masses(raw_, density_);
   join(raw_, frame);
+  frame.index = index_;
   return true;
 }
 
 MakeFrame FrameStream::take() {
   UnpackFrame unpack = take_raw();
   if (!unpack) return {};
-  return [unpack = std::move(unpack)](Frame& frame) {
+  return [unpack = std::move(unpack), density = density_, index = index_](Frame& frame) {
     RawFrame raw;
     unpack(raw);
+    set_masses(raw, density);
     join(raw, frame);
+    frame.index = index;
   };
 }
 

@@ -13,7 +13,14 @@
 
 namespace mikromakro {
 
-/// What to read, and how: HDF5 snapshots, or text dumps.
+/// The files of one run.
+struct Run {
+  std::vector<std::string> particle_files;
+  std::vector<std::string> contact_files;
+};
+
+/// What to read, and how: HDF5 snapshots, text dumps, or MercuryDPM's files, which are known by their
+/// content.
 struct FrameSource {
   std::vector<std::string> particle_files;
   std::vector<std::string> contact_files;  ///< none: frames without contacts
@@ -23,10 +30,10 @@ struct FrameSource {
   ColumnSet contacts_needed = 0;
   FrameSelection selection;
   std::vector<std::string> snapshot_files = {};  ///< none: text dumps
+  std::vector<Run> further_runs = {};            ///< beside the files above, read after them
+  double density = 0;                            ///< areal (kg/m^2), > 0: for files that give no masses
 
-  ColumnWishes wishes() const {
-    return {particle_columns, contact_columns, particles_needed, contacts_needed};
-  }
+  ColumnWishes wishes() const;
   /// All files there are.
   std::vector<std::string> files() const;
 };
@@ -34,7 +41,8 @@ struct FrameSource {
 /// Makes the frame of bytes that were read before; any thread may do it.
 using MakeFrame = std::function<void(Frame&)>;
 
-/// Throws: ids that are there twice, and all that the formats and join_contacts throw.
+/// Throws: masses where a density is given, too; ids that are there twice, and all that the formats and
+/// join_contacts throw.
 class FrameStream {
  public:
   explicit FrameStream(const FrameSource& source);
@@ -54,6 +62,8 @@ class FrameStream {
   UnpackFrame take_raw();
 
   FrameSelection selection_;
+  double density_;
+  bool one_run_;
   std::unique_ptr<FrameFormat> format_;
   RawFrame raw_;
   std::int64_t index_ = -1;

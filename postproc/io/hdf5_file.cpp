@@ -206,6 +206,10 @@ void Hdf5File::attribute(const std::string& path, const std::string& name,
   add_attribute(path, name, space_of({numbers.size()}), H5T_NATIVE_INT64, numbers.data());
 }
 
+void Hdf5File::attribute(const std::string& path, const std::string& name, std::int64_t number) {
+  add_attribute(path, name, Hdf5Id(H5Screate(H5S_SCALAR), H5Sclose), H5T_NATIVE_INT64, &number);
+}
+
 void Hdf5File::short_attribute(const std::string& path, const std::string& name, const std::string& value) {
   const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose);
   add_attribute(path, name, space, text_type(value.size(), H5T_CSET_ASCII).get(), value.data());

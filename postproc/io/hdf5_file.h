@@ -114,6 +114,7 @@ class Hdf5File {
   void attribute(const std::string& path, const std::string& name, const std::string& value);
   void attribute(const std::string& path, const std::string& name, const std::vector<std::string>& values);
   void attribute(const std::string& path, const std::string& name, std::span<const std::int64_t> numbers);
+  void attribute(const std::string& path, const std::string& name, std::int64_t number);
   /// Fixed-length ASCII, as VTK wants it.
   void short_attribute(const std::string& path, const std::string& name, const std::string& value);
   std::vector<std::string> text_attribute(const std::string& path, const std::string& name) const;

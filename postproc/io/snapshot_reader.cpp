@@ -84,11 +84,15 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
 
 // The boxes of all frames (32 bytes each).
 struct Boxes {
-  explicit Boxes(const Hdf5File& file, const SnapshotSummary& summary)
+  Boxes(const Hdf5File& file, const SnapshotSummary& summary, const std::string& name)
       : low(all_corners(file, "low", summary)), edges(all_corners(file, "edges", summary)) {
     const auto boundary = file.text_attribute("/particles/discs/box", "boundary");
-    for (std::size_t axis = 0; axis < 2; ++axis)
-      periodic[axis] = axis < boundary.size() && boundary[axis] == "periodic";
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const std::string kind = axis < boundary.size() ? boundary[axis] : "nothing";
+      if (kind != "periodic" && kind != "none")
+        throw bad_input({name}, "the box has no boundaries", "periodic or none", in_quotes(kind));
+      periodic[axis] = kind == "periodic";
+    }
   }
 
   Box of(std::size_t frame) const {
@@ -111,7 +115,7 @@ struct Boxes {
 
 struct SnapshotReader::Open {
   Open(const std::string& name, const ColumnWishes& wishes)
-      : file(Hdf5File::open(name)), summary(summarise_snapshots(file, name)), boxes(file, summary) {
+      : file(Hdf5File::open(name)), summary(summarise_snapshots(file, name)), boxes(file, summary, name) {
     const ColumnMap particles{{}, summary.particles_given};
     require_columns(particles, wishes.particles_needed | particle_base_columns,
                     without_option(particle_names()), {name});

@@ -55,6 +55,10 @@ void SnapshotWriter::begin(const RawFrame& frame, std::size_t particles) {
   file_.add_group("/h5md/author");
   file_.add_group("/h5md/creator");
   file_.attribute("/h5md", "version", version);
+  constexpr std::int64_t units_version[] = {1, 0};
+  file_.add_group("/h5md/modules/units");
+  file_.attribute("/h5md/modules/units", "version", units_version);
+  file_.attribute("/h5md/modules/units", "system", std::string("SI"));
   file_.attribute("/h5md/author", "name", std::string("unknown"));
   file_.attribute("/h5md/creator", "name", program_.substr(0, blank));
   file_.attribute("/h5md/creator", "version", program_.substr(blank + 1));
@@ -74,8 +78,7 @@ void SnapshotWriter::begin(const RawFrame& frame, std::size_t particles) {
   }
   begin_element(edges_path, Hdf5Type::real, {steps_per_chunk, 2}, "m");
   begin_element(low_path, Hdf5Type::real, {steps_per_chunk, 2}, "m");
-  constexpr std::int64_t dimension[] = {2};
-  file_.attribute("/particles/discs/box", "dimension", dimension);
+  file_.attribute("/particles/discs/box", "dimension", std::int64_t{2});
   file_.attribute("/particles/discs/box", "boundary", boundary(frame.box));
   periodic_ = frame.box.periodic;
   if (frame.with_contacts) begin_contacts(frame);

@@ -2,46 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "io/contact_reader.h"
 #include "io/particle_reader.h"
 
 namespace mikromakro {
-namespace {
-
-std::int64_t first_step_of(const std::string& file) {
-  DumpHeader header;
-  DumpReader(file).next_header(header);
-  return header.step;
-}
-
-}  // namespace
-
-DumpSequence::DumpSequence(const std::vector<std::string>& files) {
-  std::vector<std::pair<std::int64_t, std::string>> by_step;
-  by_step.reserve(files.size());
-  for (const std::string& file : files) by_step.emplace_back(first_step_of(file), file);
-  std::stable_sort(by_step.begin(), by_step.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (auto& [step, file] : by_step) files_.push_back(std::move(file));
-}
-
-bool DumpSequence::next(DumpHeader& header) {
-  while (true) {
-    if (dump_ && dump_->next_header(header)) break;
-    if (opened_ == files_.size()) return false;
-    bytes_before_ = bytes_read();
-    dump_ = std::make_unique<DumpReader>(files_[opened_++]);
-  }
-  if (last_step_ && header.step <= *last_step_) {
-    throw bad_input({dump_->file(), header.line}, "time steps do not ascend",
-                    fmt::format("more than {}", *last_step_), fmt::format("{}", header.step));
-  }
-  last_step_ = header.step;
-  return true;
-}
-
 TextFrames::TextFrames(const std::vector<std::string>& particle_files,
                        const std::vector<std::string>& contact_files, ColumnWishes wishes)
     : wishes_(std::make_shared<const ColumnWishes>(std::move(wishes))), particles_(particle_files) {
@@ -64,21 +28,21 @@ void TextFrames::check_partners(bool some_particles, bool some_contacts) {
   if (some_particles && some_contacts && of_particles_.step == of_contacts_.step) return;
   // The earlier step of the two is the one without partner.
   const bool particles_alone = some_particles && (!some_contacts || of_particles_.step < of_contacts_.step);
-  DumpSequence& dumps = particles_alone ? particles_ : *contacts_;
+  FileSequence<DumpReader>& dumps = particles_alone ? particles_ : *contacts_;
   const DumpHeader& alone = particles_alone ? of_particles_ : of_contacts_;
   const DumpHeader& other = particles_alone ? of_contacts_ : of_particles_;
   const bool some_other = particles_alone ? some_contacts : some_particles;
   throw bad_input(
-      {dumps.dump().file(), alone.line},
+      {dumps.reader().file(), alone.line},
       particles_alone ? "frame of particles without contacts" : "frame of contacts without particles",
       fmt::format("step {} in both", alone.step),
       some_other ? fmt::format("step {} there", other.step) : "no more frames there");
 }
 
 UnpackFrame TextFrames::take() {
-  const auto particles = std::make_shared<const RowBlock>(particles_.dump().take_rows(of_particles_));
+  const auto particles = std::make_shared<const RowBlock>(particles_.reader().take_rows(of_particles_));
   const auto contacts =
-      contacts_ ? std::make_shared<const RowBlock>(contacts_->dump().take_rows(of_contacts_)) : nullptr;
+      contacts_ ? std::make_shared<const RowBlock>(contacts_->reader().take_rows(of_contacts_)) : nullptr;
   return [wishes = wishes_, particles, contacts](RawFrame& frame) {
     frame.step = particles->header.step;
     frame.box = particles->header.box;

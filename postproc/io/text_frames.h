@@ -7,27 +7,10 @@
 #include <vector>
 
 #include "io/dump_reader.h"
+#include "io/file_sequence.h"
 #include "io/frame_format.h"
 
 namespace mikromakro {
-
-/// The frames of several dump files as one sequence, files in the order of their first time steps.
-/// Throws when the time steps do not ascend.
-class DumpSequence {
- public:
-  explicit DumpSequence(const std::vector<std::string>& files);
-
-  bool next(DumpHeader& header);
-  DumpReader& dump() { return *dump_; }
-  std::int64_t bytes_read() const { return bytes_before_ + (dump_ ? dump_->bytes_read() : 0); }
-
- private:
-  std::vector<std::string> files_;
-  std::size_t opened_ = 0;
-  std::unique_ptr<DumpReader> dump_;
-  std::optional<std::int64_t> last_step_;
-  std::int64_t bytes_before_ = 0;
-};
 
 /// Which columns are asked for, and what the user calls those that the dumps do not name.
 struct ColumnWishes {
@@ -53,8 +36,8 @@ class TextFrames : public FrameFormat {
   void check_partners(bool some_particles, bool some_contacts);
 
   std::shared_ptr<const ColumnWishes> wishes_;
-  DumpSequence particles_;
-  std::optional<DumpSequence> contacts_;
+  FileSequence<DumpReader> particles_;
+  std::optional<FileSequence<DumpReader>> contacts_;
   DumpHeader of_particles_;
   DumpHeader of_contacts_;
 };

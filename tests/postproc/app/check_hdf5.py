@@ -40,9 +40,59 @@ with tempfile.TemporaryDirectory() as folder:
         assert set(numpy.round(radii, 12)) == {0, 2, 4}
         assert numpy.array_equal(grid["CellData/sigma_rr"][::180], csv["sigma_rr"], equal_nan=True)
 
+    # Sectors and rectangles: each volume's polygons fill just its area, and nothing else.
+    def cells(volumes):
+        subprocess.run([program, "average", *dumps, *volumes, "--bulk-types", "1", "--out", names[0], "--out", names[2]],
+                       check=True)
+        with h5py.File(names[2]) as file:
+            grid = file["VTKHDF"]
+            points, ends = grid["Points"][:, :2], grid["Offsets"][:]
+            nu = grid["CellData/nu"][:]
+            return [points[grid["Connectivity"][a:b]] for a, b in zip(ends, ends[1:])], nu
+
+    def area(polygon):
+        x, y = polygon.T
+        return 0.5 * (x * numpy.roll(y, -1) - y * numpy.roll(x, -1)).sum()
+
+    polygons, nu = cells(["--rings", "1", "3", "2", "--sectors", "7", "--center", "0.5", "-0.25"])
+    table = pandas.read_csv(names[0], comment="#", float_precision="round_trip")
+    pieces = 26  # 360/7 degrees in pieces of 2 degrees at most
+    assert len(polygons) == 2 * 7 * pieces and numpy.array_equal(nu[::pieces], table["nu"])
+    for row in range(14):
+        corners = numpy.concatenate(polygons[row * pieces : (row + 1) * pieces]) - [0.5, -0.25]
+        phi = numpy.degrees(numpy.arctan2(corners[:, 1], corners[:, 0])) % 360
+        off_middle = (phi - table["phi"][row] + 180) % 360 - 180
+        assert abs(off_middle.min() + 180 / 7) < 1e-9 and abs(off_middle.max() - 180 / 7) < 1e-9
+        filled = sum(area(polygon) for polygon in polygons[row * pieces : (row + 1) * pieces])
+        r = numpy.hypot(*corners.T)
+        assert abs(r.min() - table["r_inner"][row]) < 1e-12 and abs(r.max() - table["r_outer"][row]) < 1e-12
+        exact = numpy.pi / 7 * (table["r_outer"][row] ** 2 - table["r_inner"][row] ** 2)
+        # chords instead of arcs: sin(x)/x with x = 360/7/26 degrees
+        angle = 2 * numpy.pi / 7 / pieces
+        assert abs(filled / exact - numpy.sin(angle) / angle) < 1e-12
+
+    polygons, nu = cells(["--grid", "-1", "2", "3", "-2", "0", "4"])
+    table = pandas.read_csv(names[0], comment="#", float_precision="round_trip")
+    assert len(polygons) == 12 and numpy.array_equal(nu, table["nu"])
+    for polygon, (_, row) in zip(polygons, table.iterrows()):
+        assert list(polygon.min(axis=0)) == [row["x_min"], row["y_min"]]
+        assert list(polygon.max(axis=0)) == [row["x_max"], row["y_max"]] and abs(area(polygon) - 0.5) < 1e-15
+
     subprocess.run([program, "convert", *dumps, "--timestep", "0.01", "--out", f"{folder}/s.h5"], check=True)
     with h5py.File(f"{folder}/s.h5") as file:
+        # H5MD 1.1, h5md.html: "Global attributes", "Modules: units", "Simulation box", "Particles group"
         assert list(file["h5md"].attrs["version"]) == [1, 1]
+        assert file["h5md/author"].attrs["name"] and file["h5md/creator"].attrs["name"] == "mikromakro"
+        assert file["h5md/creator"].attrs["version"]
+        units = file["h5md/modules/units"].attrs
+        assert list(units["version"]) == [1, 0] and units["system"] == "SI"
+        box = file["particles/discs/box"]
+        assert box.attrs["dimension"] == 2 and box.attrs["dimension"].shape == ()
+        for element in (box["edges"], *(file["particles/discs"][name] for name in file["particles/discs"] if name != "box")):
+            assert element["step"].dtype.kind == "i" and element["time"].dtype.kind == "f"
+            assert element["value"].shape[0] == len(element["step"]) == len(element["time"]) == 2
+        assert box["edges/value"].shape == (2, 2) and list(box["edges/value"][0]) == [10, 10]
+        assert file["particles/discs/id/value"].fillvalue == -1 and file["particles/discs/id/value"].dtype.kind == "i"
         discs = file["particles/discs"]
         assert list(discs["position/step"]) == [100, 200] and list(discs["id/time"]) == [1, 2]
         assert discs["position/value"].shape == (2, 4, 2) and discs["position/value"].attrs["unit"] == "m"

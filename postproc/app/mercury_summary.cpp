@@ -1,0 +1,96 @@
+#include "app/mercury_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "io/mercury_rows.h"
+
+namespace mikromakro {
+namespace {
+
+struct MercurySummary {
+  bool of_particles = false;
+  std::int64_t frames = 0;
+  double first_time = 0;
+  double last_time = 0;
+  std::int64_t fewest_rows = std::numeric_limits<std::int64_t>::max();
+  std::int64_t most_rows = 0;
+  Box box;
+  std::map<int, std::int64_t> counts_by_type;  // of the last frame
+  double smallest_radius = std::numeric_limits<double>::infinity();
+  double largest_radius = 0;
+
+  void add_particles(const MercuryBlock& block) {
+    box = block.header.box;
+    counts_by_type.clear();
+    for (const Particle& particle : mercury_particles(block)) {
+      ++counts_by_type[particle.type];
+      smallest_radius = std::min(smallest_radius, particle.radius);
+      largest_radius = std::max(largest_radius, particle.radius);
+    }
+  }
+};
+
+template <typename Reader>
+MercurySummary summarise(const std::string& file) {
+  MercurySummary summary;
+  summary.of_particles = std::is_same_v<Reader, MercuryDataReader>;
+  Reader reader(file);
+  MercuryHeader header;
+  while (reader.next_header(header)) {
+    const MercuryBlock block = reader.take_rows(header);
+    if (summary.frames++ == 0) summary.first_time = header.time;
+    summary.last_time = header.time;
+    const std::int64_t rows = std::count(block.text.begin(), block.text.end(), '\n');
+    summary.fewest_rows = std::min(summary.fewest_rows, rows);
+    summary.most_rows = std::max(summary.most_rows, rows);
+    if (summary.of_particles) summary.add_particles(block);
+  }
+  return summary;
+}
+
+MercurySummary summary_of(const std::string& file) {
+  return MercuryDataReader::recognises(file) ? summarise<MercuryDataReader>(file)
+                                             : summarise<MercuryFstatReader>(file);
+}
+
+}  // namespace
+
+bool is_mercury_file(const std::string& file) {
+  return MercuryDataReader::recognises(file) || MercuryFstatReader::recognises(file);
+}
+
+void print_mercury(const std::string& file) {
+  const MercurySummary summary = summary_of(file);
+  fmt::print("{}: {} (MercuryDPM)\n  frames   {} (times {} to {} s)\n  rows     {} to {} per frame\n", file,
+             summary.of_particles ? "particles" : "contacts", summary.frames, summary.first_time,
+             summary.last_time, summary.fewest_rows, summary.most_rows);
+  if (summary.largest_radius == 0) return;
+  fmt::print("  box      x {} to {} m, y {} to {} m\n", summary.box.low[0], summary.box.high[0],
+             summary.box.low[1], summary.box.high[1]);
+  for (const auto& [type, count] : summary.counts_by_type) fmt::print("  type {}   {} discs\n", type, count);
+  fmt::print("  radius   {} to {} m\n", summary.smallest_radius, summary.largest_radius);
+}
+
+JsonObject mercury_json(const std::string& file) {
+  const MercurySummary summary = summary_of(file);
+  JsonObject json;
+  json.add("file", file);
+  json.add("kind", summary.of_particles ? "MercuryDPM particles" : "MercuryDPM contacts");
+  json.add("frames", summary.frames);
+  json.add("first_time", summary.first_time);
+  json.add("last_time", summary.last_time);
+  json.add("fewest_rows", summary.fewest_rows);
+  json.add("most_rows", summary.most_rows);
+  if (summary.largest_radius == 0) return json;
+  JsonObject types;
+  for (const auto& [type, count] : summary.counts_by_type) types.add(fmt::format("{}", type), count);
+  json.add("types", types);
+  json.add("radius", std::vector<double>{summary.smallest_radius, summary.largest_radius});
+  return json;
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,14 @@
+// What `info` tells of MercuryDPM's files.
+#pragma once
+
+#include <string>
+
+#include "io/json_object.h"
+
+namespace mikromakro {
+
+bool is_mercury_file(const std::string& file);
+void print_mercury(const std::string& file);
+JsonObject mercury_json(const std::string& file);
+
+}  // namespace mikromakro

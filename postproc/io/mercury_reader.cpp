@@ -1,0 +1,133 @@
+#include "io/mercury_reader.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "io/row_parser.h"
+
+namespace mikromakro {
+namespace {
+
+constexpr std::string_view comment = "#";
+
+std::string first_line(const std::string& file) {
+  LineReader lines(file);
+  std::string_view line;
+  return lines.next(line) ? std::string(line) : std::string();
+}
+
+bool begins_with_digit(std::string_view word) {
+  return !word.empty() && word[0] >= '0' && word[0] <= '9';
+}
+
+// An empty line may end a file.
+bool next_full_line(LineReader& lines, std::string_view& line) {
+  while (lines.next(line))
+    if (!line.empty()) return true;
+  return false;
+}
+
+void check_box(const Box& box, const Place& place, std::string_view line) {
+  if ((box.low.array() > box.high.array()).any())
+    throw bad_input(place, "box bounds are not in order", "low <= high", in_quotes(line));
+}
+
+}  // namespace
+
+bool MercuryDataReader::recognises(const std::string& file) {
+  const std::string line = first_line(file);
+  std::string_view rest = line;
+  return begins_with_digit(next_word(rest));
+}
+
+bool MercuryDataReader::next_header(MercuryHeader& header) {
+  if (rows_ > 0) {
+    std::string skipped;
+    cut_rows(skipped);
+  }
+  std::string_view line;
+  if (!next_full_line(lines_, line)) {
+    if (lines_.line() == 0) throw bad_input({file()}, "the file is empty", "a .data file", "no line");
+    return false;
+  }
+  const Place place = lines_.place();
+  const auto found = words(line);
+  if (found.size() != 6 && found.size() != 8)
+    throw bad_input(place, "not the header of a .data frame", "N time and 4 or 6 bounds", in_quotes(line));
+  header = {};
+  header.rows = parse_integer(found[0], place);
+  if (header.rows < 0) throw bad_input(place, "negative number of rows", "0 or more", in_quotes(line));
+  header.time = parse_number(found[1], place);
+  const std::size_t dimensions = found.size() / 2 - 1;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto index = static_cast<Eigen::Index>(axis);
+    header.box.low[index] = parse_number(found[2 + axis], place);
+    header.box.high[index] = parse_number(found[2 + dimensions + axis], place);
+  }
+  check_box(header.box, place, line);
+  header.columns = dimensions == 2 ? 8 : 14;
+  header.line = lines_.line();
+  rows_ = header.rows;
+  return true;
+}
+
+MercuryBlock MercuryDataReader::take_rows(const MercuryHeader& header) {
+  MercuryBlock block{file(), header, {}};
+  cut_rows(block.text);
+  return block;
+}
+
+void MercuryDataReader::cut_rows(std::string& text) {
+  const std::int64_t got = lines_.take(rows_, comment, text);
+  if (got < rows_)
+    throw bad_input(lines_.place(), "the file ends within a frame", fmt::format("{} rows", rows_),
+                    fmt::format("{}", got));
+  rows_ = 0;
+}
+
+bool MercuryFstatReader::recognises(const std::string& file) {
+  const std::string line = first_line(file);
+  std::string_view rest = line;
+  return next_word(rest) == comment && begins_with_digit(next_word(rest));
+}
+
+bool MercuryFstatReader::next_header(MercuryHeader& header) {
+  if (rows_ahead_) {
+    std::string skipped;
+    cut_rows(skipped);
+  }
+  std::string_view line;
+  if (!next_full_line(lines_, line)) {
+    if (lines_.line() == 0) throw bad_input({file()}, "the file is empty", "an .fstat file", "no line");
+    return false;
+  }
+  const auto found = words(line);
+  if (found.size() < 2 || found[0] != comment)
+    throw bad_input(lines_.place(), "not the header of an .fstat frame", "# time", in_quotes(line));
+  header = {};
+  header.time = parse_number(found[1], lines_.place());
+  header.columns = 16;
+  for (const std::string_view expected : {"# with the bounds", "# with the radii"}) {
+    if (!lines_.next(line))
+      throw bad_input(lines_.place(), "the file ends within a header", expected, "the end of the file");
+    if (!line.starts_with(comment))
+      throw bad_input(lines_.place(), "not the header of an .fstat frame", expected, in_quotes(line));
+  }
+  header.line = lines_.line();
+  rows_ahead_ = true;
+  return true;
+}
+
+MercuryBlock MercuryFstatReader::take_rows(const MercuryHeader& header) {
+  MercuryBlock block{file(), header, {}};
+  cut_rows(block.text);
+  return block;
+}
+
+void MercuryFstatReader::cut_rows(std::string& text) {
+  lines_.take(std::numeric_limits<std::int64_t>::max(), comment, text);
+  rows_ahead_ = false;
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,83 @@
+// Frames of MercuryDPM's files: .data (particles) and .fstat (contacts), headers read, rows cut out.
+//
+// Source of the layout: DPMBase::outputXBallsData, readNextDataFile, writeFstatHeader and
+// BaseInteraction::writeToFStat of MercuryDPM (www.mercurydpm.org).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "io/frame.h"
+#include "io/line_reader.h"
+
+namespace mikromakro {
+
+/// What stands above the rows of one frame: in .data `N time xmin ymin xmax ymax` (rows of 8 columns) or
+/// `N time xmin ymin zmin xmax ymax zmax` (14 columns), in .fstat three lines that begin with #, the time in
+/// the first of them.
+struct MercuryHeader {
+  double time = 0;
+  std::int64_t rows = 0;  ///< .data only
+  Box box;                ///< .data only
+  int columns = 0;
+  std::int64_t line = 0;  ///< the last one of the header
+
+  double order() const { return time; }
+};
+
+/// The rows below one header as text; row i is line header.line + 1 + i.
+struct MercuryBlock {
+  std::string file;
+  MercuryHeader header;
+  std::string text;
+};
+
+/// Throws whatever is no .data file: a header of another length, fewer rows than it says.
+class MercuryDataReader {
+ public:
+  using Header = MercuryHeader;
+  static constexpr std::string_view not_ascending = "times do not ascend";
+
+  explicit MercuryDataReader(const std::string& file) : lines_(file) {}
+  /// Whether a file begins as .data files do, with a number.
+  static bool recognises(const std::string& file);
+
+  bool next_header(MercuryHeader& header);
+  MercuryBlock take_rows(const MercuryHeader& header);
+
+  const std::string& file() const { return lines_.file(); }
+  std::int64_t bytes_read() const { return lines_.bytes_read(); }
+
+ private:
+  void cut_rows(std::string& text);
+
+  LineReader lines_;
+  std::int64_t rows_ = 0;  // of the last header, until they are cut out
+};
+
+/// Throws whatever is no .fstat file. It does not say how many rows a frame has: a file that was cut between
+/// two lines of its last frame looks complete.
+class MercuryFstatReader {
+ public:
+  using Header = MercuryHeader;
+  static constexpr std::string_view not_ascending = "times do not ascend";
+
+  explicit MercuryFstatReader(const std::string& file) : lines_(file) {}
+  /// Whether a file begins as .fstat files do, with # and the time.
+  static bool recognises(const std::string& file);
+
+  bool next_header(MercuryHeader& header);
+  MercuryBlock take_rows(const MercuryHeader& header);
+
+  const std::string& file() const { return lines_.file(); }
+  std::int64_t bytes_read() const { return lines_.bytes_read(); }
+
+ private:
+  void cut_rows(std::string& text);
+
+  LineReader lines_;
+  bool rows_ahead_ = false;
+};
+
+}  // namespace mikromakro

@@ -1,0 +1,185 @@
+#include "io/mercury_rows.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "io/particle_reader.h"
+#include "io/row_parser.h"
+
+namespace mikromakro {
+namespace {
+
+constexpr auto slot(ParticleColumn column) {
+  return static_cast<int>(column);
+}
+
+// The places of the third dimension behind those of a particle.
+constexpr int z_slot = slot(ParticleColumn::count);
+using DataSlots = std::array<double, static_cast<std::size_t>(z_slot) + 1>;
+
+ColumnMap data_map(int columns) {
+  constexpr int skip = -1;
+  using enum ParticleColumn;
+  if (columns == 8)
+    return {{slot(x), slot(y), slot(vx), slot(vy), slot(radius), skip, slot(omegaz), slot(type)},
+            mercury_particle_columns};
+  return {{slot(x), slot(y), z_slot, slot(vx), slot(vy), skip, slot(radius), skip, skip, skip, skip, skip,
+           slot(omegaz), slot(type)},
+          mercury_particle_columns};
+}
+
+// A millionth of a radius is the rounding of six digits, not a third dimension.
+constexpr double in_plane = 1e-6;
+
+struct FstatRow {
+  std::int64_t i, j;
+  double overlap, spring, normal_force, tangential_force;
+  Eigen::Vector2d normal, tangent;
+};
+
+enum FstatSlot {
+  i_at,
+  j_at,
+  overlap_at,
+  spring_at,
+  fn_at,
+  ft_at,
+  nx_at,
+  ny_at,
+  nz_at,
+  tx_at,
+  ty_at,
+  fstat_slots
+};
+
+FstatRow fstat_row(std::string_view line, const Place& place) {
+  static const ColumnMap map{{-1, i_at, j_at, -1, -1, -1, overlap_at, spring_at, fn_at, ft_at, nx_at, ny_at,
+                              nz_at, tx_at, ty_at, -1},
+                             0};
+  std::array<double, fstat_slots> slots{};
+  parse_row(line, map, slots, place);
+  if (std::abs(slots[nz_at]) > in_plane)
+    throw bad_input(place, "the contact is not in a plane", "n_z = 0", fmt::format("{}", slots[nz_at]));
+  return {as_integer(slots[i_at], "index", place),
+          as_integer(slots[j_at], "index", place),
+          slots[overlap_at],
+          slots[spring_at],
+          slots[fn_at],
+          slots[ft_at],
+          {slots[nx_at], slots[ny_at]},
+          {slots[tx_at], slots[ty_at]}};
+}
+
+void check_index(std::int64_t index, const std::vector<Particle>& particles, const Place& place) {
+  if (index >= 0 && index < std::ssize(particles)) return;
+  throw bad_input(place, "contact of an unknown particle (a copy across a periodic boundary?)",
+                  fmt::format("an index of the .data frame, 0 to {}", std::ssize(particles) - 1),
+                  fmt::format("{}", index));
+}
+
+ContactRow contact_of(const FstatRow& row, const std::vector<Particle>& particles, const Place& place) {
+  const bool wall = row.j < 0;
+  // Ours points from 1 to 2, that is from i to j.
+  const Eigen::Vector2d normal = wall ? row.normal : Eigen::Vector2d(-row.normal);
+  const double side = wall ? -1 : 1;
+  const Eigen::Vector2d force = side * (row.normal_force * row.normal + row.tangential_force * row.tangent);
+  check_index(row.i, particles, place);
+  if (!wall) {
+    check_index(row.j, particles, place);
+    const auto& of_i = particles[static_cast<std::size_t>(row.i)].position;
+    const auto& of_j = particles[static_cast<std::size_t>(row.j)].position;
+    if (normal.dot(of_j - of_i) <= 0)
+      throw bad_input(place, "the normal points the wrong way", "n from j to i", "the other way");
+  }
+  const double along = -normal.y() * force.x() + normal.x() * force.y();
+  ContactRow contact{};
+  contact.value.fill(not_given);
+  const auto set = [&](ContactColumn column, double value) {
+    contact.value[static_cast<std::size_t>(column)] = value;
+  };
+  set(ContactColumn::id1, static_cast<double>(row.i + 1));
+  set(ContactColumn::id2, static_cast<double>(wall ? row.j + mercury_walls : row.j + 1));
+  set(ContactColumn::nx, normal.x());
+  set(ContactColumn::ny, normal.y());
+  set(ContactColumn::overlap, row.overlap);
+  set(ContactColumn::fx, force.x());
+  set(ContactColumn::fy, force.y());
+  set(ContactColumn::fn, row.normal_force);
+  set(ContactColumn::ft, along);
+  set(ContactColumn::xi, row.tangential_force == 0 ? 0 : -std::copysign(row.spring, along));
+  check_contact_row(contact, mercury_contact_columns, false, place);
+  return contact;
+}
+
+// The rows that a pair has had so far: i before j, and the other way round.
+struct Seen {
+  FstatRow first;
+  bool twice = false;
+};
+
+// Whether it is the second row of a pair of free particles.
+bool is_mirrored(const FstatRow& row, std::map<std::pair<std::int64_t, std::int64_t>, Seen>& seen,
+                 const Place& place) {
+  if (row.j < 0) return false;
+  const auto [at, is_new] = seen.try_emplace(std::minmax(row.i, row.j), Seen{row});
+  if (is_new || at->second.twice || at->second.first.i == row.i) return false;
+  const FstatRow& first = at->second.first;
+  at->second.twice = true;
+  const bool same = first.overlap == row.overlap && first.normal_force == row.normal_force &&
+                    first.tangential_force == row.tangential_force && first.normal == -row.normal &&
+                    first.tangent == -row.tangent;
+  if (!same)
+    throw bad_input(place, "the two rows of a contact differ", "the same numbers, n and t turned round",
+                    "others");
+  return true;
+}
+
+}  // namespace
+
+std::vector<Particle> mercury_particles(const MercuryBlock& block) {
+  const ColumnMap map = data_map(block.header.columns);
+  Place place{block.file, block.header.line};
+  std::vector<Particle> particles;
+  particles.reserve(static_cast<std::size_t>(block.header.rows));
+  DataSlots row{};
+  double plane = 0;
+  for (std::string_view rest = block.text; !rest.empty();) {
+    ++place.line;
+    parse_row(next_line(rest), map, row, place);
+    ParticleSlots slots;
+    slots.fill(not_given);
+    std::copy_n(row.begin(), slots.size(), slots.begin());
+    const auto at = [&](ParticleColumn column) -> double& { return slots[static_cast<std::size_t>(column)]; };
+    at(ParticleColumn::id) = static_cast<double>(place.line - block.header.line);
+    if (block.header.columns == 8) at(ParticleColumn::omegaz) *= -1;
+    at(ParticleColumn::type) += 1;
+    at(ParticleColumn::mass) = not_given;
+    particles.push_back(particle_of(slots, mercury_particle_columns, place));
+    if (particles.size() == 1) plane = row[z_slot];
+    if (std::abs(row[z_slot] - plane) > in_plane * particles.back().radius)
+      throw bad_input(place, "the particles are not in a plane", fmt::format("z = {} of all", plane),
+                      fmt::format("{}", row[z_slot]));
+  }
+  return particles;
+}
+
+ContactRows mercury_contacts(const MercuryBlock& block, const std::vector<Particle>& particles) {
+  ContactRows contacts;
+  contacts.given = mercury_contact_columns;
+  contacts.file = block.file;
+  Place place{block.file, block.header.line};
+  std::map<std::pair<std::int64_t, std::int64_t>, Seen> seen;
+  for (std::string_view rest = block.text; !rest.empty();) {
+    ++place.line;
+    const FstatRow row = fstat_row(next_line(rest), place);
+    if (is_mirrored(row, seen, place)) continue;
+    contacts.rows.push_back(contact_of(row, particles, place));
+    contacts.lines.push_back(place.line);
+  }
+  return contacts;
+}
+
+}  // namespace mikromakro

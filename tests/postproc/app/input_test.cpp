@@ -1,0 +1,93 @@
+// Kinds of input through the program: MercuryDPM's files, several runs.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "run_program.h"
+
+namespace mikromakro {
+namespace {
+
+const std::string dumps = "--particles good/particles.dump --contacts good/contacts.dump ";
+const std::string rings = " --rings 0 4 2 --bulk-types 1";
+
+std::string numbers(const std::string& csv) {
+  return csv.substr(csv.find("\nr_inner"));
+}
+
+// Both tables, number by number.
+void expect_same(const std::string& a, const std::string& b, double tolerance) {
+  const auto words_of = [](std::string csv) {
+    csv = numbers(csv);
+    std::replace(csv.begin(), csv.end(), ',', ' ');
+    std::istringstream stream(csv);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    return words;
+  };
+  const auto first = words_of(a), second = words_of(b);
+  ASSERT_EQ(first.size(), second.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (first[i] == second[i]) continue;
+    const double expected = std::stod(second[i]);
+    EXPECT_NEAR(std::stod(first[i]), expected, tolerance * std::abs(expected)) << "word " << i;
+  }
+}
+
+// The masses of the dump are 0.2 kg for a = 0.5 m: rho h = 0.2/(pi 0.25) kg/m^2.
+TEST(MercuryInput, GivesTheAveragesOfTheSameDiscsInDumps) {
+  const Ran from_dumps = run_program("average " + dumps + rings);
+  for (const std::string particles : {"good/mercury.data", "good/mercury_3d.data"}) {
+    const Ran ran = run_program("average --particles " + particles +
+                                " --contacts good/mercury.fstat --density 0.25464790894703254" + rings);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    expect_same(ran.out, from_dumps.out, 1e-15);  // rounding of the masses
+  }
+}
+
+TEST(MercuryInput, CanBeConvertedToHdf5) {
+  const Folder folder;
+  const std::string files = "--particles good/mercury.data --contacts good/mercury.fstat --density 0.25 ";
+  const std::string file = "'" + folder.path("m.h5") + "'";
+  EXPECT_EQ(run_program("convert " + files + "--out " + file).code, 0);
+  const Ran from_file = run_program("average " + file + rings);
+  EXPECT_EQ(numbers(from_file.out), numbers(run_program("average " + files + rings).out)) << from_file.err;
+}
+
+TEST(MercuryInput, IsToldByInfo) {
+  EXPECT_EQ(run_program("info good/mercury.data").out,
+            "good/mercury.data: particles (MercuryDPM)\n  frames   2 (times 1 to 2 s)\n  rows     4 to 4 per "
+            "frame\n"
+            "  box      x -5 to 5 m, y -5 to 5 m\n  type 1   3 discs\n  type 2   1 discs\n"
+            "  radius   0.125 to 0.5 m\n");
+  EXPECT_EQ(run_program("info good/mercury.fstat").out,
+            "good/mercury.fstat: contacts (MercuryDPM)\n  frames   2 (times 1 to 2 s)\n  rows     4 to 4 per "
+            "frame\n");
+  EXPECT_NE(run_program("info --json good/mercury.data").out.find("\"kind\": \"MercuryDPM particles\""),
+            std::string::npos);
+}
+
+// Twice the same run is the same mean of twice as many frames.
+TEST(SeveralRuns, FollowEachOtherThoughTheirStepsBeginAnew) {
+  const Ran one = run_program("average " + dumps + rings);
+  const Ran two = run_program("average " + dumps + dumps + rings);
+  EXPECT_EQ(two.code, 0) << two.err;
+  EXPECT_NE(two.out.find("# runs: 2, one after the other\n"), std::string::npos);
+  EXPECT_NE(two.out.find("# frames: 4, steps 100 to 200\n"), std::string::npos);
+  expect_same(two.out, one.out, 1e-15);
+  // Step 200 of both; frames 1 and 2 are the second one of the first run and the first one of the second.
+  EXPECT_NE(run_program("average " + dumps + dumps + rings + " --steps 200:200").out.find("# frames: 2,"),
+            std::string::npos);
+  expect_same(run_program("average " + dumps + dumps + rings + " --frames 1:2").out, one.out, 1e-15);
+}
+
+TEST(SeveralRuns, AreTheSameOnRanks) {
+  const std::string arguments = "average " + dumps + dumps + dumps + rings + " --threads 1";
+  const Ran alone = run_program(arguments);
+  EXPECT_EQ(run_on_ranks(2, arguments).out, alone.out);
+}
+
+}  // namespace
+}  // namespace mikromakro
