@@ -18,7 +18,11 @@ class SnapshotWriter {
   SnapshotWriter(const std::string& file, const std::string& program, double time_step);
 
   void add(const RawFrame& frame, const std::vector<Particle>& particles);
-  void close() { file_.close(); }
+  /// Nothing of the file stays open: it is complete.
+  void close() {
+    datasets_.clear();
+    file_.close();
+  }
 
  private:
   void begin(const RawFrame& frame, std::size_t particles);

@@ -19,7 +19,7 @@ namespace mikromakro::test {
 namespace {
 
 struct Laws {
-  const char *name, *stock, *ours;
+  const char *name, *stock, *ours, *fields;
 };
 
 void PrintTo(const Laws& laws, std::ostream* out) {
@@ -79,8 +79,8 @@ class StockRun : public testing::TestWithParam<Laws> {
   Table average(const std::string& name, const std::string& columns) const {
     shell(
         fmt::format("{0} average --particles {1}.particles --contacts {1}.contacts {2} --rings 0.01 0.09 8 "
-                    "--bulk-types 1 --kn 352.1 --out {1}.csv",
-                    MIKROMAKRO_PROGRAM, name, columns));
+                    "--bulk-types 1 --kn 352.1 {3} --out {1}.csv",
+                    MIKROMAKRO_PROGRAM, name, columns, GetParam().fields));
     return read_csv(folder_ / (name + ".csv"));
   }
 
@@ -103,7 +103,7 @@ TEST_P(StockRun, GivesTheFieldsOfOurCompute) {
   const Table stock = average("stock", "--contact-columns x1,y1,z1,x2,y2,z2,id1,id2,periodic,fx,fy,fz");
   const Table ours = average("ours", "");
   ASSERT_EQ(stock.size(), ours.size());
-  ASSERT_GT(ours.size(), 40U);
+  ASSERT_GT(ours.size(), 30U);
   double worst = 0;
   for (std::size_t column = 0; column < ours.size(); ++column) {
     ASSERT_EQ(ours[column].size(), 8U);
@@ -121,10 +121,16 @@ TEST_P(StockRun, GivesTheFieldsOfOurCompute) {
   EXPECT_LE(worst, 1e-12);
 }
 
-const Laws laws[] = {{"normal force", "model hooke/stiffness tangential off absolute_damping on",
-                      "model disc/linear tangential off"},
-                     {"Eq. 1", "model hooke/stiffness tangential no_history absolute_damping on",
-                      "model disc/linear tangential disc/viscous"}};
+// Without friction there are no moments: couple stress, curvature and what is made of them would be rounding
+// compared with rounding.
+const Laws laws[] = {
+    {"normal force", "model hooke/stiffness tangential off absolute_damping on",
+     "model disc/linear tangential off",
+     "--fields "
+     "solid_fraction,coordination,velocity,spin,fabric,stress,kinetic_stress,elastic_strain,stiffness,"
+     "velocity_gradient"},
+    {"Eq. 1", "model hooke/stiffness tangential no_history absolute_damping on",
+     "model disc/linear tangential disc/viscous", ""}};
 INSTANTIATE_TEST_SUITE_P(Laws, StockRun, testing::ValuesIn(laws));
 
 }  // namespace
