@@ -129,7 +129,9 @@ Hdf5File Hdf5File::open(const std::string& file) {
 
 bool Hdf5File::has(const std::string& path) const {
   for (std::size_t slash = path.find('/', 1);; slash = path.find('/', slash + 1)) {
-    if (H5Lexists(id_.get(), path.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
+    const htri_t there = H5Lexists(id_.get(), path.substr(0, slash).c_str(), H5P_DEFAULT);
+    if (there < 0) cannot_read(file_);
+    if (there == 0) return false;
     if (slash == std::string::npos) return true;
   }
 }

@@ -95,6 +95,7 @@ class Hdf5File {
   /// Whether a file begins as HDF5 files do; false also for a file that cannot be read.
   static bool recognises(const std::string& file);
 
+  /// Throws where that cannot be read.
   bool has(const std::string& path) const;
 
   /// A dataset that grows (in every dimension); `chunk` is what is stored together, checked by a sum of its

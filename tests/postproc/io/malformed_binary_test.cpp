@@ -9,6 +9,11 @@
 #include "corpus.h"
 #include "io/snapshot_writer.h"
 
+// HDF5 itself forgets memory where it meets damage.
+extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier)
+  return "leak:libhdf5";
+}
+
 namespace mikromakro {
 namespace {
 
