@@ -132,9 +132,9 @@ TEST(WorkOfAWall, IsStoredInAnElasticDisc) {
   }
 }
 
-/// A small sample, compressed by two walls, then sheared.
-std::string compressed(const std::string& tangential) {
-  return box(tangential, {.gamma_n = 0.5}) +
+/// A small sample, compressed by two walls; `more` comes behind the scene.
+std::string compressed(const std::string& tangential, const std::string& more = "") {
+  return box(tangential, {.gamma_n = 0.5}) + more +
          "create_discs box -0.1 0.1 -0.1 0.1 seed 3 density 6.36 velocity 0.1 uniform 150 1 0.003 0.008\n" +
          walls(
              "left -0.1 fixed bottom -0.1 fixed right 0.1 stress 5 mass 0.1 damping 3 "
@@ -181,6 +181,29 @@ TEST_P(Sample, GivesTheSameWallForcesOnAnyNumberOfRanks) {
   EXPECT_GT(one[12], 1);
   for (int k = 0; k < 27; ++k)
     EXPECT_NEAR(one[k], all[k], 1e-8 * std::abs(one[k]) + 1e-12) << "value " << k + 1;
+}
+
+// At rest, sum of f (x) l over all contacts, walls included, with branch vectors that end at the contact
+// points, is the box's area times the pressure of its walls: 1e-6 is what is promised. The walls are still on
+// their way to p.
+TEST(SampleAtRest, CarriesThePressureOfItsWalls) {
+  Engine engine;
+  const std::string frictionless_walls =
+      "unfix mu\nfix mu all property/global coefficientFriction peratomtypepair 2 0.44 0 0 0\n";
+  engine.run(compressed(laws[1], frictionless_walls) + "run 50000\n");
+  double xx = 0, xy = 0, yx = 0, yy = 0;
+  for (const auto& [ids, c] : engine.contacts()) {
+    xx -= c.f_x * (c.x2 - c.x1);
+    xy -= c.f_x * (c.y2 - c.y1);
+    yx -= c.f_y * (c.x2 - c.x1);
+    yy -= c.f_y * (c.y2 - c.y1);
+  }
+  const double area = (value(engine, 2) - value(engine, 1)) * (value(engine, 4) - value(engine, 3));
+  for (int wall = 0; wall < 4; ++wall) {
+    EXPECT_NEAR(value(engine, 13 + wall) / 5, 1, 1e-5);
+    EXPECT_NEAR((wall < 2 ? xx : yy) / area / value(engine, 13 + wall), 1, 1e-6);
+  }
+  EXPECT_NEAR(xy / area, yx / area, 5e-6);  // no torques; not zero, as forces are spread unevenly along walls
 }
 
 class BiaxialRestart : public testing::Test {
