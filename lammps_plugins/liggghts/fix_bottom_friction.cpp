@@ -2,6 +2,7 @@
 
 #include <mpi.h>
 
+#include <array>
 #include <cstring>
 
 #include "arguments.h"
@@ -58,8 +59,10 @@ double FixBottomFriction::apply() {
   return power;
 }
 
+/// A run that goes on does so with the power of the last step, whose velocities were predicted.
 void FixBottomFriction::setup(int /*vflag*/) {
-  power_ = apply();
+  const double power = apply();
+  if (!goes_on_) power_ = power;
 }
 
 /// The energy is the trapezium of the power over the step.
@@ -67,6 +70,7 @@ void FixBottomFriction::post_force(int /*vflag*/) {
   const double before = power_;
   power_ = apply();
   energy_ += (before + power_) / 2 * update->dt;
+  goes_on_ = true;
 }
 
 double FixBottomFriction::sum_of_all_ranks(double value) const {
@@ -83,17 +87,19 @@ double FixBottomFriction::compute_vector(int /*n*/) {
 }
 
 void FixBottomFriction::write_restart(FILE* file) {
-  const double energy = sum_of_all_ranks(energy_);
+  const std::array<double, 2> state{sum_of_all_ranks(power_), sum_of_all_ranks(energy_)};
   if (comm->me != 0) return;
-  const int size = sizeof energy;
+  const int size = sizeof state;
   std::fwrite(&size, sizeof size, 1, file);
-  std::fwrite(&energy, sizeof energy, 1, file);
+  std::fwrite(&state, sizeof state, 1, file);
 }
 
 void FixBottomFriction::restart(char* buffer) {
-  double energy;
-  std::memcpy(&energy, buffer, sizeof energy);
-  energy_ = comm->me == 0 ? energy : 0;
+  std::array<double, 2> state{};
+  if (comm->me == 0) std::memcpy(state.data(), buffer, sizeof state);
+  power_ = state[0];
+  energy_ = state[1];
+  goes_on_ = true;
 }
 
 }  // namespace mikromakro::liggghts

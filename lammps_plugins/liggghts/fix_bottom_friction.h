@@ -39,6 +39,7 @@ class FixBottomFriction : public LAMMPS_NS::Fix {
   double v_0_ = 0;
   // Of the discs of this rank: the power [W] at the last evaluation, the energy taken [J].
   double power_ = 0, energy_ = 0;
+  bool goes_on_ = false;  // power_ is that of the last step
 };
 
 }  // namespace mikromakro::liggghts

@@ -1,6 +1,5 @@
 #include "fix_nve_disc.h"
 
-#include <cstring>
 #include <string>
 
 #include "atom.h"
@@ -12,8 +11,11 @@ namespace mikromakro::liggghts {
 
 using namespace LAMMPS_NS;
 
-FixNveDisc::FixNveDisc(LAMMPS* engine, int narg, char** arg) : Fix(engine, narg, arg) {
+FixNveDisc::FixNveDisc(LAMMPS* engine, int narg, char** arg) : Fix(engine, narg, arg), last_forces_(*engine) {
   time_integrate = 1;
+  restart_global = restart_peratom = 1;
+  create_attribute = 1;
+  just_created = 0;
   for (int k = 3; k < narg; k += 2) {
     const std::string key = arg[k], value = k + 1 < narg ? arg[k + 1] : "nothing";
     if (key != "velocity" || (value != "predicted" && value != "half_step")) {
@@ -26,10 +28,12 @@ FixNveDisc::FixNveDisc(LAMMPS* engine, int narg, char** arg) : Fix(engine, narg,
   if (!atom->sphere_flag) error->all(FLERR, "fix nve/disc: needs 'atom_style granular' or 'sphere'");
   grow_arrays(atom->nmax);
   atom->add_callback(0);
+  atom->add_callback(1);
 }
 
 FixNveDisc::~FixNveDisc() {
   atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
 }
 
 int FixNveDisc::setmask() {
@@ -39,9 +43,11 @@ int FixNveDisc::setmask() {
 void FixNveDisc::init() {
   if (domain->dimension != 2)
     error->all(FLERR, "fix nve/disc: discs live in two dimensions; put 'dimension 2' before the box");
+  step_complete_ = false;
 }
 
 void FixNveDisc::initial_integrate(int /*vflag*/) {
+  begin_step();
   const double dt = update->dt;
   const int nlocal = atom->nlocal;
   for (int i = 0; i < nlocal; ++i) {
@@ -78,28 +84,7 @@ void FixNveDisc::final_integrate() {
     v[1] = half.v_y + kick * atom->f[i][1];
     omega[2] = half.omega + spin_kick * atom->torque[i][2];
   }
-}
-
-void FixNveDisc::grow_arrays(int nmax) {
-  half_step_.resize(nmax);
-}
-
-void FixNveDisc::copy_arrays(int from, int to, int /*delflag*/) {
-  half_step_[to] = half_step_[from];
-}
-
-int FixNveDisc::pack_exchange(int i, double* buffer) {
-  std::memcpy(buffer, &half_step_[i], sizeof(HalfStep));
-  return 3;
-}
-
-int FixNveDisc::unpack_exchange(int i, double* buffer) {
-  std::memcpy(&half_step_[i], buffer, sizeof(HalfStep));
-  return 3;
-}
-
-double FixNveDisc::memory_usage() {
-  return static_cast<double>(half_step_.size() * sizeof(HalfStep));
+  end_step();
 }
 
 }  // namespace mikromakro::liggghts

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fix.h"
+#include "last_forces.h"
 
 namespace mikromakro::liggghts {
 
@@ -15,6 +16,12 @@ namespace mikromakro::liggghts {
 /// v(t) + dt f(t)/m, which differs from the final velocity by O(dt^2), and the half-kicked velocity waits in
 /// this fix. `velocity half_step` is what the stock integrators do: the dashpot then sees v(t + dt/2), an
 /// error of order gamma dt / 2m.
+///
+/// A run goes on with the forces of the last step, also from a restart file if the fix has the same id there:
+/// on the same number of ranks it repeats, bit for bit, the run that was not interrupted but wrote its file
+/// on the way (`restart N FILE`; the engine builds the neighbour list anew in such a step, as the set-up of a
+/// run does). Forces that a script adds between two runs act from the new run's first evaluation on, half a
+/// step later.
 class FixNveDisc : public LAMMPS_NS::Fix {
  public:
   FixNveDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
@@ -26,6 +33,7 @@ class FixNveDisc : public LAMMPS_NS::Fix {
 
   int setmask() override;
   void init() override;
+  void setup(int vflag) override;
   void initial_integrate(int vflag) override;
   void final_integrate() override;
 
@@ -33,14 +41,29 @@ class FixNveDisc : public LAMMPS_NS::Fix {
   void copy_arrays(int from, int to, int delflag) override;
   int pack_exchange(int i, double* buffer) override;
   int unpack_exchange(int i, double* buffer) override;
+  void set_arrays(int i) override;
   double memory_usage() override;
 
+  void write_restart(FILE* file) override;
+  void restart(char* /*buffer*/) override {}
+  int pack_restart(int i, double* buffer) override;
+  void unpack_restart(int nlocal, int nth) override;
+  int size_restart(int nlocal) override;
+  int maxsize_restart() override;
+
  private:
+  /// Before the first half-kick of a run, and after the second one of every step.
+  void begin_step();
+  void end_step();
+
   struct HalfStep {
     double v_x, v_y, omega;
   };
   bool predicted_ = true;
   std::vector<HalfStep> half_step_;  // of each owned atom, between the two half-kicks
+  LastForces last_forces_;
+  bool resumes_ = false;        // the next step is the first of a run
+  bool step_complete_ = false;  // forces and velocities are those of the end of a step
 };
 
 }  // namespace mikromakro::liggghts

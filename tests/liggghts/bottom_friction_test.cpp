@@ -152,16 +152,20 @@ class BottomFrictionRestart : public testing::Test {
   std::string file_;
 };
 
-TEST_F(BottomFrictionRestart, KeepsTheEnergyTaken) {
+TEST_F(BottomFrictionRestart, KeepsTheEnergyTakenAndGoesOn) {
   Engine engine;
   engine.run(sliding_disc(0.1, 0, 0, 1e-4, "") + "run 100\nwrite_restart " + file_ + "\n");
   const double before = taken(engine);
   ASSERT_GT(before, 0);
+  engine.run("run 100\n");
+  const double later = taken(engine);
   engine.run("clear\nnewton off\ncommunicate single vel yes\natom_modify map array\nread_restart " + file_ +
              "\n" + constants({}, 1) +
              "neighbor 0.001 bin\nneigh_modify delay 0\nfix integrate all nve/disc\n" +
              "fix bottom all bottom/friction 0.1 9.81\n");
   EXPECT_EQ(taken(engine), before);
+  engine.run("timestep 1e-4\nrun 100\n");
+  EXPECT_NEAR(taken(engine) / later, 1, 1e-14);  // rounding of a sum that begins anew
 }
 
 }  // namespace

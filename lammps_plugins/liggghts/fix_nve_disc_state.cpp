@@ -1,0 +1,111 @@
+// fix nve/disc: what it stores per atom and in restart files, and how a run goes on where the last one ended.
+#include <cstring>
+
+#include "atom.h"
+#include "comm.h"
+#include "fix_nve_disc.h"
+#include "modify.h"
+#include "output.h"
+#include "update.h"
+
+namespace mikromakro::liggghts {
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+// The engine keeps private when it writes the next restart file; see style_maps.h for the way in.
+struct NextRestart {
+  using Type = bigint Output::*;
+  friend Type member(NextRestart tag);
+};
+template <class Tag, typename Tag::Type Member>
+struct Grant {
+  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
+};
+template struct Grant<NextRestart, &Output::next_restart>;
+
+}  // namespace
+
+void FixNveDisc::setup(int /*vflag*/) {
+  resumes_ = true;
+}
+
+/// A run that starts from the file of this step will sort its discs in its set-up.
+void FixNveDisc::begin_step() {
+  if (update->ntimestep == output->*member(NextRestart{})) atom->nextsort = update->ntimestep;
+  if (!resumes_) return;
+  resumes_ = false;
+  last_forces_.restore(groupbit);
+}
+
+void FixNveDisc::end_step() {
+  step_complete_ = true;
+  if (update->ntimestep == update->laststep) last_forces_.keep(groupbit);
+}
+
+/// Within a run, the engine writes the springs as they were when the neighbour list was built, and has no
+/// forces in the file. The command write_restart initialises the engine before, which copies the springs, and
+/// may move atoms between the ranks, so that atom->f is no longer theirs.
+void FixNveDisc::write_restart(FILE* file) {
+  if (step_complete_) {
+    last_forces_.keep(groupbit);
+    for (int k = 0; k < modify->nfix; ++k) {
+      if (std::strcmp(modify->fix[k]->style, "contacthistory") == 0) modify->fix[k]->pre_exchange();
+    }
+  }
+  if (comm->me != 0) return;
+  constexpr int format = 1, size = sizeof format;
+  std::fwrite(&size, sizeof size, 1, file);
+  std::fwrite(&format, sizeof format, 1, file);
+}
+
+void FixNveDisc::grow_arrays(int nmax) {
+  half_step_.resize(nmax);
+  last_forces_.grow(nmax);
+}
+
+void FixNveDisc::set_arrays(int i) {
+  last_forces_.forget(i);
+}
+
+void FixNveDisc::copy_arrays(int from, int to, int /*delflag*/) {
+  half_step_[to] = half_step_[from];
+  last_forces_.copy(from, to);
+}
+
+int FixNveDisc::pack_exchange(int i, double* buffer) {
+  std::memcpy(buffer, &half_step_[i], sizeof(HalfStep));
+  return 3 + last_forces_.pack(i, buffer + 3);
+}
+
+int FixNveDisc::unpack_exchange(int i, double* buffer) {
+  std::memcpy(&half_step_[i], buffer, sizeof(HalfStep));
+  return 3 + last_forces_.unpack(i, buffer + 3);
+}
+
+int FixNveDisc::pack_restart(int i, double* buffer) {
+  buffer[0] = maxsize_restart();
+  return 1 + last_forces_.pack(i, buffer + 1);
+}
+
+void FixNveDisc::unpack_restart(int nlocal, int nth) {
+  const double* extra = atom->extra[nlocal];
+  int start = 0;
+  for (int k = 0; k < nth; ++k) start += static_cast<int>(extra[start]);
+  last_forces_.unpack(nlocal, extra + start + 1);
+}
+
+int FixNveDisc::size_restart(int /*nlocal*/) {
+  return maxsize_restart();
+}
+
+int FixNveDisc::maxsize_restart() {
+  return 1 + LastForces::values;
+}
+
+double FixNveDisc::memory_usage() {
+  return static_cast<double>(half_step_.size() * sizeof(HalfStep)) + last_forces_.memory_usage();
+}
+
+}  // namespace mikromakro::liggghts

@@ -1,0 +1,163 @@
+// A run that goes on from a restart file repeats the run that wrote the file and was not interrupted, bit for
+// bit, on the same number of ranks. Runs on one rank and on two.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "engine.h"
+#include "packing.h"
+
+namespace mikromakro::test {
+namespace {
+
+struct State {
+  std::map<int, Disc> discs;
+  std::map<std::pair<int, int>, Contact> contacts;
+};
+
+/// A scene as the lines that create it, those that a script gives anew after read_restart, and those that
+/// bring it to where the test starts.
+struct Scene {
+  const char* name;
+  std::string created, given, prepared;
+};
+void PrintTo(const Scene& scene, std::ostream* out) {
+  *out << scene.name;
+}
+
+Scene dense_packing(const char* name, const std::string& law, const Material& material,
+                    const std::string& fixes = "") {
+  return {name, scene(law, material, packing_box, 2, "p p p", "0.002") + packing(20, 0.05),
+          constants(material, 2) + "fix integrate all nve/disc\n" + fixes +
+              "compute contacts all contact/disc\ntimestep 2e-5\n",
+          ""};
+}
+
+/// A ring cell whose outer ring shrinks, and then stands, while the wheel turns.
+Scene shear_cell() {
+  const std::string created =
+      scene("model disc/linear tangential disc/cundall_strack", {}, 0.12, 4, "f f p", "0.002") +
+      "create_ring 0 0 0.03 pitch 0.0053 type 3 radius 0.00125 density 6.36\n"
+      "create_ring 0 0 0.095 number 80 type 4 radius 0.00125 density 6.36\n"
+      "create_discs ring 0 0 0.03 0.095 seed 1 density 6.36 velocity 0.05 discs 180 1 0.00371 discs 30 2 "
+      "0.004495\n"
+      "group free type 1 2\ngroup inner type 3\ngroup outer type 4\ngroup wall type 3 4\n";
+  const std::string given =
+      constants({}, 4) +
+      "neigh_modify exclude group wall wall\nfix integrate free nve/disc\n"
+      "fix cell wall couette/2d center 0 0 inner rough inner 0.03 outer rough outer 0.095 omega_inner 3 "
+      "compact 0.068 0.12\ncompute contacts all contact/disc\ntimestep 4e-5\n";
+  return {"shear_cell", created, given, "run 2500\nreset_timestep 0\n"};
+}
+
+const Scene scenes[] = {
+    dense_packing("normal_forces", "model disc/linear tangential off", {}),
+    dense_packing("viscous", "model disc/linear tangential disc/viscous", {},
+                  "fix bottom all bottom/friction 0.1 9.81\nfix down all gravity 9.81 vector 0 -1 0\n"),
+    dense_packing("spring", "model disc/linear tangential disc/cundall_strack", {}),
+    dense_packing("damped_spring",
+                  "model disc/linear tangential disc/cundall_strack tangential_damping on limitForce on", {}),
+    dense_packing("hertz", "model disc/hertz tangential disc/cundall_strack", {.k_n = 1e6}),
+    shear_cell()};
+
+class Continuation : public testing::TestWithParam<Scene> {
+ protected:
+  // The first rank names the file.
+  Continuation() {
+    int number = getpid();
+    MPI_Bcast(&number, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    file_ = testing::TempDir() + "continuation" + std::to_string(number);
+  }
+  ~Continuation() override {
+    MPI_Barrier(MPI_COMM_WORLD);
+    for (const auto& entry : std::filesystem::directory_iterator(testing::TempDir())) {
+      const std::string path = entry.path().string();
+      std::error_code gone_already;
+      if (path.starts_with(file_)) std::filesystem::remove(path, gone_already);
+    }
+  }
+
+  State state() const { return {engine_.discs(), engine_.contacts()}; }
+
+  void create() { engine_.run("clear\n" + GetParam().created + GetParam().given + GetParam().prepared); }
+
+  void read(const std::string& file) {
+    engine_.run("clear\nnewton off\ncommunicate single vel yes\natom_modify map array\nread_restart " + file +
+                "\nneighbor 0.002 bin\nneigh_modify delay 0\n" + GetParam().given);
+  }
+
+  /// The engine writes a file, and builds its neighbour list anew, every `steps`.
+  std::string files_every(int steps) const { return fmt::format("restart {} {}.*\n", steps, file_); }
+
+  std::string file_;
+  Engine engine_;
+};
+
+void expect_equal(const State& one, const State& other) {
+  ASSERT_EQ(one.discs.size(), other.discs.size());
+  int different = 0;
+  for (const auto& [id, a] : one.discs) {
+    const Disc& b = other.discs.at(id);
+    different += a.x != b.x || a.y != b.y || a.v_x != b.v_x || a.v_y != b.v_y || a.omega != b.omega ||
+                 a.f_x != b.f_x || a.f_y != b.f_y || a.torque != b.torque;
+  }
+  // The same arithmetic on the same numbers in the same order: no tolerance.
+  EXPECT_EQ(different, 0) << "of " << one.discs.size() << " discs";
+  ASSERT_EQ(one.contacts.size(), other.contacts.size());
+  EXPECT_GT(one.contacts.size(), one.discs.size() / 2);
+  different = 0;
+  for (const auto& [ids, a] : one.contacts) {
+    const Contact& b = other.contacts.at(ids);
+    different += a.xi != b.xi || a.f_n != b.f_n || a.f_t != b.f_t;
+  }
+  EXPECT_EQ(different, 0) << "of " << one.contacts.size() << " contacts";
+}
+
+TEST_P(Continuation, FromAFileWrittenDuringTheRun) {
+  create();
+  engine_.run(files_every(300) + "run 600\n");
+  const State uninterrupted = state();
+  read(file_ + ".300");
+  engine_.run(files_every(300) + "run 300\n");
+  expect_equal(uninterrupted, state());
+}
+
+TEST_P(Continuation, FromAFileWrittenBetweenTwoRuns) {
+  create();
+  engine_.run(fmt::format("run 300\nwrite_restart {0}\nrun 300\n", file_));
+  const State went_on = state();
+  read(file_);
+  engine_.run("run 300\n");
+  expect_equal(went_on, state());
+}
+
+TEST_P(Continuation, OfARunByASecondRun) {
+  create();
+  engine_.run(files_every(300) + "run 600\n");
+  const State uninterrupted = state();
+  create();
+  engine_.run(files_every(300) + "run 300\nrun 300\n");
+  expect_equal(uninterrupted, state());
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Continuation, testing::ValuesIn(scenes),
+                         [](const auto& info) { return info.param.name; });
+
+class ContinuationOfManySteps : public Continuation {};
+
+TEST_P(ContinuationOfManySteps, TenThousandFromAFile) {
+  create();
+  engine_.run(files_every(10000) + "run 20000\n");
+  const State uninterrupted = state();
+  read(file_ + ".10000");
+  engine_.run(files_every(10000) + "run 10000\n");
+  expect_equal(uninterrupted, state());
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ContinuationOfManySteps, testing::Values(scenes[2], scenes[5]),
+                         [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace mikromakro::test
