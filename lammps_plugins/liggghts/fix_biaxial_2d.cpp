@@ -80,7 +80,7 @@ void FixBiaxial2d::setup(int) {
   sum_forces();
   for (int side = 0; side < 4; ++side) {
     Wall& wall = box_[side];
-    if (wall.control.kind == Kind::stress)
+    if (wall.control.kind == Kind::stress && !wall.goes_on)
       wall.motion.acceleration =
           (force_on(side) - wall.control.damping * wall.motion.velocity) / wall.control.mass;
   }
@@ -132,6 +132,7 @@ void FixBiaxial2d::final_integrate() {
       wall.motion = physics::servo_kick(wall.motion, force_on(side),
                                         {wall.control.mass, wall.control.damping}, update->dt);
       wall.contact_velocity = wall.motion.velocity;
+      wall.goes_on = true;
     }
     wall.work -= outward[side] * 0.5 * (wall.previous_pressing + wall.pressing) *
                  (wall.motion.position - wall.previous_position);

@@ -85,6 +85,9 @@ class FixBiaxial2d : public LAMMPS_NS::Fix, public WallContactSource {
     double pressing, along;     // forces of the last evaluation (N)
     double previous_position, previous_pressing;
     double work;  // J
+    // The acceleration is that of the last step, with which a run goes on: dashpots of the set-up see other
+    // velocities.
+    bool goes_on = false;
   };
 
   [[nodiscard]] double length(int axis) const;

@@ -1,7 +1,7 @@
 #include "last_forces.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "atom.h"
 #include "domain.h"
@@ -53,13 +53,16 @@ void LastForces::restore(int group_bit) const {
 }
 
 int LastForces::pack(int i, double* buffer) const {
-  static_assert(sizeof(Kept) == values * sizeof(double));
-  std::memcpy(buffer, &kept_[i], sizeof(Kept));
+  const Kept& k = kept_[i];
+  const double numbers[values] = {k.valid,     k.x[0],    k.x[1],    k.motion[0], k.motion[1],
+                                  k.motion[2], k.load[0], k.load[1], k.load[2]};
+  std::copy_n(numbers, values, buffer);
   return values;
 }
 
 int LastForces::unpack(int i, const double* buffer) {
-  std::memcpy(&kept_[i], buffer, sizeof(Kept));
+  const double* b = buffer;
+  kept_[i] = {b[0], {b[1], b[2]}, {b[3], b[4], b[5]}, {b[6], b[7], b[8]}};
   return values;
 }
 

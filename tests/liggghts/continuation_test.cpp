@@ -52,6 +52,36 @@ Scene shear_cell() {
   return {"shear_cell", created, given, "run 2500\nreset_timestep 0\n"};
 }
 
+const std::string springs = "model disc/linear tangential disc/cundall_strack";
+
+/// The same between smooth walls, which keep springs of their own.
+Scene smooth_cell() {
+  const std::string created =
+      scene(springs, {}, 0.12, 2, "f f p", "0.002") +
+      "create_discs ring 0 0 0.03 0.095 seed 1 density 6.36 velocity 0.05 discs 180 1 "
+      "0.00371 discs 30 1 0.004495\n";
+  const std::string given =
+      constants({}, 2) +
+      "fix integrate all nve/disc\nfix cell all couette/2d center 0 0 inner smooth 2 0.03 "
+      "outer smooth 2 0.095 omega_inner 3 compact 0.068 0.12\n"
+      "compute contacts all contact/disc\ntimestep 4e-5\n";
+  return {"smooth_cell", created, given, "run 2500\nreset_timestep 0\n"};
+}
+
+/// A box whose right and upper walls are driven by their pressures.
+Scene biaxial_box() {
+  const std::string created = scene(springs, {}, 0.12, 2, "f f p", "0.002") +
+                              "create_discs box -0.08 0.08 -0.08 0.08 seed 1 density 6.36 velocity 0.05 "
+                              "discs 180 1 0.00371 discs 30 1 "
+                              "0.004495\n";
+  const std::string given = constants({}, 2) +
+                            "fix integrate all nve/disc\nfix box all biaxial/2d type 2 left -0.08 fixed "
+                            "right 0.08 stress 20 mass 0.02 "
+                            "damping 0.5 bottom -0.08 fixed top 0.08 stress 20 mass 0.02 damping 0.5\n"
+                            "compute contacts all contact/disc\ntimestep 4e-5\n";
+  return {"biaxial_box", created, given, "run 4000\nreset_timestep 0\n"};
+}
+
 const Scene scenes[] = {
     dense_packing("normal_forces", "model disc/linear tangential off", {}),
     dense_packing("viscous", "model disc/linear tangential disc/viscous", {},
@@ -60,7 +90,9 @@ const Scene scenes[] = {
     dense_packing("damped_spring",
                   "model disc/linear tangential disc/cundall_strack tangential_damping on limitForce on", {}),
     dense_packing("hertz", "model disc/hertz tangential disc/cundall_strack", {.k_n = 1e6}),
-    shear_cell()};
+    shear_cell(),
+    smooth_cell(),
+    biaxial_box()};
 
 class Continuation : public testing::TestWithParam<Scene> {
  protected:
