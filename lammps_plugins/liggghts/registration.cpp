@@ -11,6 +11,7 @@
 #include "fix_couette_2d.h"
 #include "fix_energy_disc.h"
 #include "fix_nve_disc.h"
+#include "fix_snapshot_disc.h"
 #include "lammps.h"
 #include "mikromakro_version.h"
 #include "pair_gran_disc.h"
@@ -38,7 +39,8 @@ const std::map<std::string, FixCreator> fixes = {{"biaxial/2d", make_fix<FixBiax
                                                  {"bottom/friction", make_fix<FixBottomFriction>},
                                                  {"couette/2d", make_fix<FixCouette2d>},
                                                  {"energy/disc", make_fix<FixEnergyDisc>},
-                                                 {"nve/disc", make_fix<FixNveDisc>}};
+                                                 {"nve/disc", make_fix<FixNveDisc>},
+                                                 {"snapshot/disc", make_fix<FixSnapshotDisc>}};
 const std::map<std::string, ComputeCreator> computes = {{"contact/disc", make_compute<ComputeContactDisc>}};
 const std::map<std::string, CommandCreator> commands = {{"create_discs", run_command<CreateDiscs>},
                                                         {"create_ring", run_command<CreateRing>}};

@@ -43,11 +43,15 @@ RawFrame frame_of(const std::string& file, std::size_t index) {
 
 }  // namespace
 
+void check_snapshot_name(const std::string& file) {
+  if (!file.ends_with(".h5"))
+    throw bad_input({"file"}, "unknown kind of snapshot file", "a name ending in .h5", in_quotes(file));
+  const OutputFile can_be_written(file);
+}
+
 SnapshotLog::SnapshotLog(std::string file, std::string program, SnapshotParameters parameters)
     : file_(std::move(file)), program_(std::move(program)), parameters_(std::move(parameters)) {
-  if (!file_.ends_with(".h5"))
-    throw bad_input({"file"}, "unknown kind of snapshot file", "a name ending in .h5", in_quotes(file_));
-  const OutputFile can_be_written(file_);
+  check_snapshot_name(file_);
 }
 
 std::int64_t SnapshotLog::resume(const RawFrame& present) {

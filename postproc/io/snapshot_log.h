@@ -14,7 +14,7 @@ namespace mikromakro {
 /// read.
 class SnapshotLog {
  public:
-  /// `program`: name and version of who writes. Throws where the file cannot be written (bad input).
+  /// `program`: name and version of who writes. Throws what check_snapshot_name throws.
   SnapshotLog(std::string file, std::string program, SnapshotParameters parameters);
 
   /// Continues the file, if it is there: frames after `present` are dropped, for the run comes by there
@@ -38,5 +38,8 @@ class SnapshotLog {
   std::int64_t last_step_ = -1;
   bool begun_ = false;
 };
+
+/// Throws (bad input) where no such file can be written, or its name is none of an HDF5 file.
+void check_snapshot_name(const std::string& file);
 
 }  // namespace mikromakro

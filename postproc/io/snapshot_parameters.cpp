@@ -31,6 +31,7 @@ void check(const std::string& file, const std::string& name, const std::string& 
 
 void write_parameters(Hdf5File& file, const SnapshotParameters& parameters) {
   file.add_group(snapshot::parameters);
+  if (!parameters.engine.empty()) file.attribute("/h5md/creator", "engine", parameters.engine);
   for (const auto& [name, words] : parameters.words)
     words.size() == 1 ? file.attribute(snapshot::parameters, name, words.front())
                       : file.attribute(snapshot::parameters, name, words);

@@ -17,9 +17,12 @@ struct SnapshotParameters {
     std::string unit;  ///< empty: none is known
     Hdf5Shape shape;
     std::vector<double> values;
+    bool operator==(const Numbers&) const = default;
   };
   std::vector<std::pair<std::string, std::vector<std::string>>> words;
   std::vector<Numbers> numbers;
+  std::string engine = {};  ///< name and version; it alone may change when a file is continued
+  bool operator==(const SnapshotParameters&) const = default;
 };
 
 void write_parameters(Hdf5File& file, const SnapshotParameters& parameters);
