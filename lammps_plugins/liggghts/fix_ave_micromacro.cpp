@@ -7,6 +7,7 @@
 #include "first_rank.h"
 #include "frame_gathering.h"
 #include "group.h"
+#include "io/error.h"
 #include "io/frame_stream.h"
 #include "mikromakro_version.h"
 #include "pair_gran_disc.h"
@@ -70,6 +71,7 @@ FixAveMicromacro::FixAveMicromacro(LAMMPS_NS::LAMMPS* engine, int narg, char** a
 void FixAveMicromacro::parse(std::vector<std::string> words) {
   CLI::App app;
   app.set_help_flag();
+  app.allow_extras();
   add_average_options(app, options_);
   for (std::string& word : words) {
     const std::string name = option_name(word);
@@ -78,6 +80,9 @@ void FixAveMicromacro::parse(std::vector<std::string> words) {
   // The parser takes its arguments from the back.
   std::reverse(words.begin(), words.end());
   app.parse(words);
+  if (!app.remaining().empty())
+    throw bad_input({"options"}, "unknown option", "those of `mikromakro average` without dashes",
+                    in_quotes(app.remaining().front()));
 }
 
 int FixAveMicromacro::setmask() {

@@ -169,6 +169,13 @@ void SnapshotWriter::begin_contacts(const RawFrame& frame, std::size_t particles
   if (with_time_) file_.link(time_path, snapshot::contacts + "time");
 }
 
+// A file stays open, and locked, as long as one of its datasets is.
+void SnapshotWriter::close() {
+  datasets_.clear();
+  walls_ = {};
+  file_.close();
+}
+
 void SnapshotWriter::check_same(const RawFrame& frame) const {
   const Place place{frame.particle_file, frame.first_particle_line - 1};
   if (storable(frame.particles_given) != particles_given_ ||

@@ -34,12 +34,7 @@ class SnapshotWriter {
 
   void add(const RawFrame& frame, const std::vector<Particle>& particles);
   void add_parameters(const SnapshotParameters& parameters) { write_parameters(file_, parameters); }
-  /// Nothing of the file stays open: it is complete.
-  void close() {
-    datasets_.clear();
-    walls_ = {};
-    file_.close();
-  }
+  void close();
 
  private:
   void begin(const RawFrame& frame, std::size_t particles);
