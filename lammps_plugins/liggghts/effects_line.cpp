@@ -58,6 +58,13 @@ std::vector<Effect> effects(const physics::Effects& law, const LAMMPS_NS::Modify
 
 }  // namespace
 
+std::vector<std::string> simulated_effects(const physics::Effects& law, const LAMMPS_NS::Modify& modify) {
+  std::vector<std::string> names;
+  for (const auto& [name, is_simulated] : effects(law, modify))
+    if (is_simulated) names.emplace_back(name);
+  return names;
+}
+
 std::string effects_line(const physics::Effects& law, const LAMMPS_NS::Modify& modify,
                          bool predicted_velocities) {
   std::string simulated, missing;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "physics/contact_law.h"
 
@@ -11,8 +12,11 @@ class Modify;
 
 namespace mikromakro::liggghts {
 
-/// "Effects simulated: ...; not simulated: ...; dashpots see ... velocities": those of the contact law, and
-/// the fixes that are defined: bottom friction, gravity, smooth walls (ours and the engine's wall/gran).
+/// Names of the effects of the contact law and of the fixes that are defined: bottom friction, gravity,
+/// smooth walls (ours and the engine's wall/gran).
+std::vector<std::string> simulated_effects(const physics::Effects& law, const LAMMPS_NS::Modify& modify);
+
+/// "Effects simulated: ...; not simulated: ...; dashpots see ... velocities".
 std::string effects_line(const physics::Effects& law, const LAMMPS_NS::Modify& modify,
                          bool predicted_velocities);
 

@@ -6,11 +6,13 @@
 #include "compute_contact_disc.h"
 #include "create_discs.h"
 #include "create_ring.h"
+#include "fix_ave_micromacro.h"
 #include "fix_biaxial_2d.h"
 #include "fix_bottom_friction.h"
 #include "fix_couette_2d.h"
 #include "fix_energy_disc.h"
 #include "fix_nve_disc.h"
+#include "fix_snapshot_disc.h"
 #include "lammps.h"
 #include "mikromakro_version.h"
 #include "pair_gran_disc.h"
@@ -34,11 +36,11 @@ void run_command(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) {
   T(engine).command(narg, arg);
 }
 
-const std::map<std::string, FixCreator> fixes = {{"biaxial/2d", make_fix<FixBiaxial2d>},
-                                                 {"bottom/friction", make_fix<FixBottomFriction>},
-                                                 {"couette/2d", make_fix<FixCouette2d>},
-                                                 {"energy/disc", make_fix<FixEnergyDisc>},
-                                                 {"nve/disc", make_fix<FixNveDisc>}};
+const std::map<std::string, FixCreator> fixes = {
+    {"ave/micromacro", make_fix<FixAveMicromacro>},   {"biaxial/2d", make_fix<FixBiaxial2d>},
+    {"bottom/friction", make_fix<FixBottomFriction>}, {"couette/2d", make_fix<FixCouette2d>},
+    {"energy/disc", make_fix<FixEnergyDisc>},         {"nve/disc", make_fix<FixNveDisc>},
+    {"snapshot/disc", make_fix<FixSnapshotDisc>}};
 const std::map<std::string, ComputeCreator> computes = {{"contact/disc", make_compute<ComputeContactDisc>}};
 const std::map<std::string, CommandCreator> commands = {{"create_discs", run_command<CreateDiscs>},
                                                         {"create_ring", run_command<CreateRing>}};

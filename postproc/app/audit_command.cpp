@@ -8,13 +8,13 @@
 #include "app/commands.h"
 #include "app/input_options.h"
 #include "app/progress.h"
-#include "app/volume_options.h"
 #include "audit/contact_balance.h"
 #include "audit/ring_balance.h"
 #include "averaging/time_average.h"
 #include "io/error.h"
 #include "io/file_list.h"
 #include "io/json_object.h"
+#include "options/volume_options.h"
 
 namespace mikromakro {
 namespace {

@@ -1,7 +1,5 @@
 #include "app/averaging_run.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <thread>
@@ -46,9 +44,7 @@ Averaged average_frames(const FrameSource& source, const SumFrame& sum, TimeAver
     sum_in_order(next, sum, threads_of(options, ranks), take);
   };
   ranks.gather_in_order(read_and_sum, [&](const FrameSums& frame) {
-    if (averaged.sums.frames() == 0) averaged.range.first_step = frame.step;
-    averaged.range.last_step = frame.step;
-    averaged.sums.add(frame.sums);
+    averaged.add(frame.step, frame.sums);
     progress.update(bytes, averaged.sums.frames());
   });
   return averaged;
@@ -58,11 +54,6 @@ void require_frames(const Averaged& averaged, const FrameSource& source) {
   if (averaged.sums.frames() == 0)
     throw bad_input({source.files().front()}, "no frame is selected",
                     "frames that --frames and --steps select", "0");
-}
-
-void describe_frames(const Averaged& averaged, Preamble& lines) {
-  lines.emplace_back("frames", fmt::format("{}, steps {} to {}", averaged.sums.frames(),
-                                           averaged.range.first_step, averaged.range.last_step));
 }
 
 }  // namespace mikromakro

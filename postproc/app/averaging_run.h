@@ -6,7 +6,7 @@
 #include "app/input_options.h"
 #include "averaging/ordered_sums.h"
 #include "averaging/ranks.h"
-#include "averaging/time_average.h"
+#include "options/average_options.h"
 
 namespace mikromakro {
 
@@ -17,11 +17,6 @@ struct RunOptions {
 
 void add_run_options(CLI::App& app, RunOptions& options);
 
-struct Averaged {
-  TimeAverage sums;
-  FrameRange range;
-};
-
 /// The sums that `sum` makes of the frames, on rank 0; the others give their part. All ranks call it
 /// together. `sums` is an empty average to fill. Throws what reading throws.
 Averaged average_frames(const FrameSource& source, const SumFrame& sum, TimeAverage sums,
@@ -29,8 +24,5 @@ Averaged average_frames(const FrameSource& source, const SumFrame& sum, TimeAver
 
 /// Throws where no frame was selected.
 void require_frames(const Averaged& averaged, const FrameSource& source);
-
-/// Line above a table: which frames.
-void describe_frames(const Averaged& averaged, Preamble& lines);
 
 }  // namespace mikromakro

@@ -7,10 +7,10 @@
 #include "app/averaging_run.h"
 #include "app/commands.h"
 #include "app/comparison_report.h"
-#include "app/field_options.h"
-#include "app/volume_options.h"
 #include "io/error.h"
 #include "io/output_file.h"
+#include "options/field_options.h"
+#include "options/volume_options.h"
 
 namespace mikromakro {
 namespace {

@@ -30,12 +30,6 @@ void require_contacts(const InputOptions& options, std::string_view what);
 /// What to read for the fields of `averager`. Throws when they need contacts and none are given.
 FrameSource source_of(const InputOptions& options, const Averager& averager);
 
-/// Time steps of the first and the last frame that was read.
-struct FrameRange {
-  std::int64_t first_step = 0;
-  std::int64_t last_step = 0;
-};
-
 /// Lines above a table: the inputs and how they were read.
 void describe_input(const InputOptions& options, const FrameSource& source, Preamble& lines);
 

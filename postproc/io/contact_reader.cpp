@@ -67,8 +67,9 @@ ColumnSet wanted_contact_columns(ColumnSet needed, ColumnSet given) {
                                              ContactColumn::y2, ContactColumn::periodic);
   if (needed == 0) return given;
   const ColumnSet derive_from = (derivable_columns & ~given) != 0 ? positions : 0;
-  return given &
-         (needed | derivable_columns | derive_from | column_set(ContactColumn::id1, ContactColumn::id2));
+  // Fields take springs where there are any, without needing them.
+  return given & (needed | derivable_columns | derive_from |
+                  column_set(ContactColumn::id1, ContactColumn::id2, ContactColumn::xi));
 }
 
 ContactRows read_contacts(const RowBlock& block, const std::vector<std::string>& list, ColumnSet needed) {

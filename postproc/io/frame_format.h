@@ -12,6 +12,13 @@
 
 namespace mikromakro {
 
+/// What a run tells about its walls in one step: the numbers of a fix, under the fix's name.
+struct WallState {
+  std::string name;
+  std::string style;  ///< tells what the numbers are
+  std::vector<double> numbers;
+};
+
 /// A frame before its contacts are joined to its particles. For messages: particle i stands in line
 /// first_particle_line + i of particle_file.
 struct RawFrame {
@@ -23,6 +30,8 @@ struct RawFrame {
   std::int64_t first_particle_line = 0;
   bool with_contacts = false;
   ContactRows contacts;
+  double time = not_given;  ///< s
+  std::vector<WallState> walls;
 };
 
 /// Makes a frame of bytes that were taken out of the files before; reads no file and shares nothing that

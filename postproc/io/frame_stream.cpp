@@ -32,18 +32,6 @@ void set_masses(RawFrame& raw, double density) {
   raw.particles_given |= mass;
 }
 
-// Particles go over to the frame, contacts become those of particles.
-void join(RawFrame& raw, Frame& frame) {
-  const IdMap ids(raw.particles);
-  check_ids(ids, raw);
-  frame.step = raw.step;
-  frame.box = raw.box;
-  frame.contacts.clear();
-  if (raw.with_contacts) frame.contacts = join_contacts(raw.contacts, raw.particles, ids, frame.box);
-  // The rows are read anew for the next frame.
-  frame.particles.swap(raw.particles);
-}
-
 std::unique_ptr<FrameFormat> open_run(const Run& run, const ColumnWishes& wishes) {
   if (MercuryDataReader::recognises(run.particle_files.front()))
     return std::make_unique<MercuryFrames>(run.particle_files, run.contact_files, wishes);
@@ -63,6 +51,17 @@ std::unique_ptr<FrameFormat> format_of(const FrameSource& source) {
 }
 
 }  // namespace
+
+void join(RawFrame& raw, Frame& frame) {
+  const IdMap ids(raw.particles);
+  check_ids(ids, raw);
+  frame.step = raw.step;
+  frame.box = raw.box;
+  frame.contacts.clear();
+  if (raw.with_contacts) frame.contacts = join_contacts(raw.contacts, raw.particles, ids, frame.box);
+  // The rows are read anew for the next frame.
+  frame.particles.swap(raw.particles);
+}
 
 ColumnWishes FrameSource::wishes() const {
   const ColumnSet mass = density > 0 ? column_set(ParticleColumn::mass) : 0;

@@ -41,6 +41,10 @@ struct FrameSource {
 /// Makes the frame of bytes that were read before; any thread may do it.
 using MakeFrame = std::function<void(Frame&)>;
 
+/// Particles go over to the frame, contacts become those of particles. Throws: ids that are there twice, and
+/// all that join_contacts throws.
+void join(RawFrame& raw, Frame& frame);
+
 /// Throws: masses where a density is given, too; ids that are there twice, and all that the formats and
 /// join_contacts throw.
 class FrameStream {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <type_traits>
@@ -61,6 +62,27 @@ Hdf5Id text_type(std::size_t length, H5T_cset_t letters) {
   return type;
 }
 
+// The newer layout of 1.10: its tables of contents carry sums, so that damage in them is found, and it can be
+// appended to while others read.
+Hdf5Id newer_layout() {
+  Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
+  return access;
+}
+
+// A process that was killed leaves its marks, and a length that may be shorter than what it wrote. What
+// `h5clear --status --increment=0` does.
+void mend_after_kill(const std::string& file) {
+  const Hdf5Id access = newer_layout();
+  const hbool_t yes = 1;
+  H5Pset(access.get(), "clear_status_flags", &yes);
+  H5Pset(access.get(), "skip_eof_check", &yes);
+  H5Pset_file_locking(access.get(), 0, 1);
+  const Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDWR, access.get()), H5Fclose);
+  if (id.get() < 0) cannot_read(file);
+  if (H5Fincrement_filesize(id.get(), 0) < 0) cannot_write(file);
+}
+
 Hdf5Id with_groups() {
   Hdf5Id list(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(list.get(), 1);
@@ -79,6 +101,14 @@ Hdf5Shape Hdf5Dataset::shape() const {
 
 void Hdf5Dataset::grow(const Hdf5Shape& shape) {
   if (H5Dset_extent(id_.get(), shape.data()) < 0) cannot_write(place_);
+}
+
+Hdf5Shape Hdf5Dataset::reach(const Hdf5Shape& shape) {
+  Hdf5Shape lengths = this->shape();
+  const Hdf5Shape before = lengths;
+  for (std::size_t i = 0; i < shape.size(); ++i) lengths[i] = std::max(lengths[i], shape[i]);
+  if (lengths != before) grow(lengths);
+  return lengths;
 }
 
 Hdf5Id Hdf5Dataset::select(const Hdf5Block& block, Hdf5Id& in_memory) const {
@@ -112,18 +142,34 @@ void Hdf5Dataset::write_raw(const Hdf5Block& block, Hdf5Type type, const void* n
 
 Hdf5File Hdf5File::create(const std::string& file) {
   silence();
-  // The newer layout of 1.10: its tables of contents carry sums, so that damage in them is found.
-  const Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
-  Hdf5Id id(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
+  Hdf5Id id(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, newer_layout().get()), H5Fclose);
   if (id.get() < 0) cannot_write(file);
   return {std::move(id), file};
 }
 
 Hdf5File Hdf5File::open(const std::string& file) {
   silence();
-  Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  // As one who reads what another one writes; files of others may be of a layout without that.
+  Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, newer_layout().get()), H5Fclose);
+  if (id.get() < 0) id = Hdf5Id(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (id.get() < 0) cannot_read(file);
+  return {std::move(id), file};
+}
+
+Hdf5File Hdf5File::open_to_append(const std::string& file, bool mend) {
+  silence();
+  const Hdf5Id access = newer_layout();
+  // A reader, such as a notebook that has the file open, must not stop the one who writes.
+  H5Pset_file_locking(access.get(), 0, 1);
+  const auto attempt = [&] {
+    return Hdf5Id(H5Fopen(file.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access.get()), H5Fclose);
+  };
+  Hdf5Id id = attempt();
+  if (id.get() < 0 && mend) {
+    mend_after_kill(file);
+    id = attempt();
+  }
+  if (id.get() < 0) cannot_write(file);
   return {std::move(id), file};
 }
 
@@ -137,14 +183,14 @@ bool Hdf5File::has(const std::string& path) const {
 }
 
 Hdf5Dataset Hdf5File::add_growing(const std::string& path, Hdf5Type type, const Hdf5Shape& chunk,
-                                  std::int64_t fill) {
+                                  std::int64_t fill, bool checked) {
   const std::vector<hsize_t> none(chunk.size(), 0);
   const std::vector<hsize_t> any(chunk.size(), H5S_UNLIMITED);
   const int rank = static_cast<int>(chunk.size());
   const Hdf5Id space(H5Screate_simple(rank, none.data(), any.data()), H5Sclose);
   const Hdf5Id list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_chunk(list.get(), rank, chunk.data());
-  H5Pset_fletcher32(list.get());
+  if (checked) H5Pset_fletcher32(list.get());
   if (type == Hdf5Type::integer) H5Pset_fill_value(list.get(), H5T_NATIVE_INT64, &fill);
   Hdf5Id id(H5Dcreate2(id_.get(), path.c_str(), in_file(type), space.get(), with_groups().get(), list.get(),
                        H5P_DEFAULT),
@@ -212,6 +258,10 @@ void Hdf5File::attribute(const std::string& path, const std::string& name, std::
   add_attribute(path, name, Hdf5Id(H5Screate(H5S_SCALAR), H5Sclose), H5T_NATIVE_INT64, &number);
 }
 
+bool Hdf5File::has_attribute(const std::string& path, const std::string& name) const {
+  return H5Aexists_by_name(id_.get(), path.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
 void Hdf5File::short_attribute(const std::string& path, const std::string& name, const std::string& value) {
   const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose);
   add_attribute(path, name, space, text_type(value.size(), H5T_CSET_ASCII).get(), value.data());
@@ -233,8 +283,12 @@ std::vector<std::string> Hdf5File::text_attribute(const std::string& path, const
   return values;
 }
 
-void Hdf5File::close() {
+void Hdf5File::flush() {
   if (H5Fflush(id_.get(), H5F_SCOPE_GLOBAL) < 0) cannot_write(file_);
+}
+
+void Hdf5File::close() {
+  flush();
   id_ = Hdf5Id();
 }
 

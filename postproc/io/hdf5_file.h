@@ -67,6 +67,8 @@ class Hdf5Dataset {
   const std::string& place() const { return place_; }
   std::int64_t id() const { return id_.get(); }
   void grow(const Hdf5Shape& shape);
+  /// Grows where it is shorter than `shape`, along each dimension; gives its new lengths.
+  Hdf5Shape reach(const Hdf5Shape& shape);
 
   template <typename T>
   void read(const Hdf5Block& block, std::span<T> numbers) const {
@@ -91,17 +93,22 @@ class Hdf5File {
  public:
   /// Throws when it cannot be made or is no complete HDF5 file.
   static Hdf5File create(const std::string& file);
+  /// To read, also while somebody appends to it or after he was killed while he did.
   static Hdf5File open(const std::string& file);
+  /// To append to the datasets that are there, by one process, while others may read (HDF5's "single writer,
+  /// multiple readers"): what is flushed stays readable whenever the process is killed. `mend`: also where a
+  /// process that was killed has left the file marked as being written.
+  static Hdf5File open_to_append(const std::string& file, bool mend);
   /// Whether a file begins as HDF5 files do; false also for a file that cannot be read.
   static bool recognises(const std::string& file);
 
   /// Throws where that cannot be read.
   bool has(const std::string& path) const;
 
-  /// A dataset that grows (in every dimension); `chunk` is what is stored together, checked by a sum of its
+  /// A dataset that grows (in every dimension); `chunk` is what is stored together, `checked` by a sum of its
   /// own, so that flipped bits are found. `fill`: what places hold that were never written, for integers.
   Hdf5Dataset add_growing(const std::string& path, Hdf5Type type, const Hdf5Shape& chunk,
-                          std::int64_t fill = 0);
+                          std::int64_t fill = 0, bool checked = true);
   Hdf5Dataset dataset(const std::string& path) const;
   template <typename T>
   void add(const std::string& path, std::span<const T> numbers, const Hdf5Shape& shape) {
@@ -116,10 +123,13 @@ class Hdf5File {
   void attribute(const std::string& path, const std::string& name, const std::vector<std::string>& values);
   void attribute(const std::string& path, const std::string& name, std::span<const std::int64_t> numbers);
   void attribute(const std::string& path, const std::string& name, std::int64_t number);
+  bool has_attribute(const std::string& path, const std::string& name) const;
   /// Fixed-length ASCII, as VTK wants it.
   void short_attribute(const std::string& path, const std::string& name, const std::string& value);
   std::vector<std::string> text_attribute(const std::string& path, const std::string& name) const;
 
+  /// Hands everything over to the operating system, metadata after the numbers that they point to.
+  void flush();
   /// Writes everything out; to be called before the file is renamed.
   void close();
 

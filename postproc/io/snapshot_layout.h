@@ -44,4 +44,14 @@ inline bool whole(ContactColumn column) {
   return column == ContactColumn::id1 || column == ContactColumn::id2 || column == ContactColumn::periodic;
 }
 
+/// Of runs only. /walls/<name>/{step, time, value}: numbers of a fix, frame by frame; attribute `style` of
+/// /walls/<name> tells which, attribute `names` of /walls lists the walls.
+inline const std::string walls = "/walls/";
+
+/// Of runs only. What does not change: words as attributes, numbers as datasets.
+inline const std::string parameters = "/parameters";
+
+/// A frame that was being written when its run was killed may have left rows behind: those frames are there
+/// that have a step, and a row that has got no number yet has the step no_id.
+
 }  // namespace mikromakro::snapshot

@@ -55,10 +55,11 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
                     "/h5md and /particles/discs as mikromakro writes them", "neither");
   SnapshotSummary summary;
   summary.steps = all_of(file, steps_path);
+  while (!summary.steps.empty() && summary.steps.back() == snapshot::no_id) summary.steps.pop_back();
   for (const auto& element : snapshot::elements)
     if (file.has(value_path(element))) summary.particles_given |= element.columns();
   const Hdf5Shape shape = file.dataset("/particles/discs/id/value").shape();
-  if (shape.size() != 2 || shape[0] != summary.steps.size())
+  if (shape.size() != 2 || shape[0] < summary.steps.size())
     throw bad_input({name}, "the frames do not fit together",
                     fmt::format("{} frames of ids", summary.steps.size()),
                     fmt::format("{}", shape.empty() ? 0 : shape[0]));
@@ -70,13 +71,14 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
   for (std::size_t slot = 0; slot < std::size(contact_column_names); ++slot)
     if (file.has(contact_path(slot))) summary.contacts_given |= ColumnSet{1} << slot;
   summary.contact_offsets = all_of(file, snapshot::contacts + "offset");
-  const auto& offsets = summary.contact_offsets;
+  auto& offsets = summary.contact_offsets;
+  offsets.resize(std::min(offsets.size(), summary.steps.size() + 1));
   if (offsets.size() != summary.steps.size() + 1 || offsets.front() != 0 ||
       !std::is_sorted(offsets.begin(), offsets.end()))
     throw bad_input({name}, "contacts do not fit the frames", "offsets that ascend, one more than frames",
                     "others");
   const std::uint64_t rows = file.has(contact_path(0)) ? file.dataset(contact_path(0)).shape().front() : 0;
-  if (static_cast<std::uint64_t>(offsets.back()) != rows)
+  if (static_cast<std::uint64_t>(offsets.back()) > rows)
     throw bad_input({name}, "contacts are missing", fmt::format("{} rows", offsets.back()),
                     fmt::format("{}", rows));
   return summary;

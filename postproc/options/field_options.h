@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/volume_options.h"
 #include "fields/field_registry.h"
 #include "io/csv_writer.h"
+#include "options/volume_options.h"
 
 namespace mikromakro {
 

@@ -1,4 +1,4 @@
-#include "app/field_options.h"
+#include "options/field_options.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "app/volume_options.h"
+#include "options/volume_options.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "app/table_outputs.h"
+#include "options/table_outputs.h"
 
 #include <fmt/format.h>
 

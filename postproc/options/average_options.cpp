@@ -1,0 +1,64 @@
+#include "options/average_options.h"
+
+#include <fmt/format.h>
+
+#include "averaging/block_errors.h"
+
+namespace mikromakro {
+namespace {
+
+// Adds the errors to the table, and to the lines above it what they rest on.
+void add_errors(const Averager& averager, const TimeAverage& sums, Table& table, Preamble& lines) {
+  const BlockErrors errors = block_errors(sums, [&](const Rows& mean) { return averager.values(mean); });
+  append_errors(errors, averager.columns(), table);
+  const std::string blocks = fmt::format("{} blocks of {} frames", sums.blocks().size(), sums.block_length());
+  lines.emplace_back("errors",
+                     errors.any() ? fmt::format("standard errors from {}, nan where they are too few", blocks)
+                                  : fmt::format("nan: {} are too few for standard errors", blocks));
+}
+
+}  // namespace
+
+void add_average_options(CLI::App& app, AverageOptions& options) {
+  add_volume_options(app, options.volumes);
+  add_weight_option(app, options.volumes);
+  add_field_options(app, options.fields);
+  app.add_option("--error-blocks", options.error_blocks,
+                 "blocks of frames that are kept for standard errors, default 64; 0 for no errors")
+      ->check(CLI::Range(0, 100000));
+  app.add_option(
+         "--out", options.out,
+         "FILE.csv, .h5 or .vtkhdf (ParaView), or - for CSV on standard output (default); may be given "
+         "more than once")
+      ->allow_extra_args(false);
+}
+
+std::unique_ptr<const Averager> make_averager(const AverageOptions& options) {
+  return make_averager(options.volumes, fields_of(options.fields, options.volumes));
+}
+
+void Averaged::add(std::int64_t step, const Rows& frame_sums) {
+  if (sums.frames() == 0) range.first_step = step;
+  range.last_step = step;
+  sums.add(frame_sums);
+}
+
+void describe_frames(const Averaged& averaged, Preamble& lines) {
+  lines.emplace_back("frames", fmt::format("{}, steps {} to {}", averaged.sums.frames(),
+                                           averaged.range.first_step, averaged.range.last_step));
+}
+
+void write_averages(const AverageOptions& options, const Averager& averager, const Averaged& averaged,
+                    Preamble lines, TableOutputs& outputs) {
+  const Rows mean = averaged.sums.mean();
+  Table table = averager.solve(mean);
+  describe_fields(options.fields, lines);
+  describe_frames(averaged, lines);
+  describe_volumes(options.volumes, lines);
+  describe_numbers(options.fields, lines);
+  for (const std::string& note : averager.notes(mean)) lines.emplace_back("note", note);
+  if (options.error_blocks > 0) add_errors(averager, averaged.sums, table, lines);
+  outputs.commit(lines, table, ring_centre(options.volumes));
+}
+
+}  // namespace mikromakro
