@@ -106,6 +106,16 @@ TEST(BottomFriction, NeverGivesEnergyToADiscAndLeavesRestAtRest) {
   }
 }
 
+TEST(BottomFriction, ActsOnItsGroupOnly) {
+  Engine engine;
+  engine.run(scene("model disc/linear tangential off", soft, 0.05, 2) + disc(1, 0, 0, radius) +
+             disc(2, 0.02, 0, radius, 6.36, 2) + motion(1, 0.1, 0) + motion(2, 0.1, 0) +
+             "group slides type 1\nfix integrate all nve/disc\nfix bottom slides bottom/friction 0.1 9.81\n"
+             "timestep 1e-4\nrun 100\n");
+  EXPECT_LT(engine.discs().at(1).v_x, 0.1);
+  EXPECT_EQ(engine.discs().at(2).v_x, 0.1);
+}
+
 TEST(BottomFriction, ADiscUnderHalfOfItCreepsWithHalfTheVelocityOfRegularisation) {
   Engine engine;
   engine.run(sliding_disc(0, 0, 0, 1e-4, "velocity 1e-3"));
@@ -115,7 +125,7 @@ TEST(BottomFriction, ADiscUnderHalfOfItCreepsWithHalfTheVelocityOfRegularisation
   EXPECT_NEAR(engine.discs().at(1).v_x, 5e-4, 1e-16);
 }
 
-TEST(BottomFriction, BalancesTheEnergyOfAPackingAndActsOnItsGroupOnly) {
+TEST(BottomFriction, BalancesTheEnergyOfAPacking) {
   // Elastic discs without friction between them: energy, kinetic and of the springs, goes to the bottom
   // alone.
   Engine engine;
