@@ -95,7 +95,7 @@ void FixAveMicromacro::init() {
 }
 
 void FixAveMicromacro::reset_timestep(LAMMPS_NS::bigint /*newstep*/, LAMMPS_NS::bigint /*oldstep*/) {
-  averaged_ = {TimeAverage(options_.error_blocks)};
+  averaged_ = {TimeAverage(options_.error_blocks), {}};
 }
 
 void FixAveMicromacro::end_of_step() {
@@ -114,7 +114,7 @@ void FixAveMicromacro::write() {
       {"program", "mikromakro " MIKROMAKRO_VERSION " fix ave/micromacro"},
       {"run", std::string("group ") + group->names[igroup] + ", every " + std::to_string(nevery) + " steps"}};
   write_averages(options_, *averager_, averaged_, lines, outputs);
-  if (windows_) averaged_ = {TimeAverage(options_.error_blocks)};
+  if (windows_) averaged_ = {TimeAverage(options_.error_blocks), {}};
 }
 
 }  // namespace mikromakro::liggghts

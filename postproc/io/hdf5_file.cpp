@@ -70,17 +70,16 @@ Hdf5Id newer_layout() {
   return access;
 }
 
-// A process that was killed leaves its marks, and a length that may be shorter than what it wrote. What
-// `h5clear --status --increment=0` does.
-void mend_after_kill(const std::string& file) {
-  const Hdf5Id access = newer_layout();
+// Opens also what a process that was killed has left with its marks, and with a length that may be shorter
+// than what it wrote: what `h5clear --status --increment=0` mends. As a writer beside readers from the first
+// moment on, so that a kill in here does no harm either.
+Hdf5Id open_after_kill(const std::string& file, const Hdf5Id& access) {
   const hbool_t yes = 1;
   H5Pset(access.get(), "clear_status_flags", &yes);
   H5Pset(access.get(), "skip_eof_check", &yes);
-  H5Pset_file_locking(access.get(), 0, 1);
-  const Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDWR, access.get()), H5Fclose);
-  if (id.get() < 0) cannot_read(file);
-  if (H5Fincrement_filesize(id.get(), 0) < 0) cannot_write(file);
+  Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access.get()), H5Fclose);
+  if (id.get() >= 0 && H5Fincrement_filesize(id.get(), 0) < 0) cannot_write(file);
+  return id;
 }
 
 Hdf5Id with_groups() {
@@ -161,14 +160,8 @@ Hdf5File Hdf5File::open_to_append(const std::string& file, bool mend) {
   const Hdf5Id access = newer_layout();
   // A reader, such as a notebook that has the file open, must not stop the one who writes.
   H5Pset_file_locking(access.get(), 0, 1);
-  const auto attempt = [&] {
-    return Hdf5Id(H5Fopen(file.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access.get()), H5Fclose);
-  };
-  Hdf5Id id = attempt();
-  if (id.get() < 0 && mend) {
-    mend_after_kill(file);
-    id = attempt();
-  }
+  Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access.get()), H5Fclose);
+  if (id.get() < 0 && mend) id = open_after_kill(file, access);
   if (id.get() < 0) cannot_write(file);
   return {std::move(id), file};
 }

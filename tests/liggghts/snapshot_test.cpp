@@ -198,8 +198,11 @@ TEST_P(OnRanks, HasTheStateOfTheWallsAndWhatIsSimulated) {
   EXPECT_EQ(k_t, std::vector<double>(16, 300));
   file.dataset("/parameters/height").read<double>({{0}, {1}}, height);
   EXPECT_EQ(height[0], 0.006);
-  EXPECT_EQ(file.text_attribute("/parameters", "effects"),
-            (std::vector<std::string>{"linear normal force", "normal dashpot", "friction with spring"}));
+  const auto effects = file.text_attribute("/parameters", "effects");
+  const auto simulated = [&](const char* name) { return std::count(effects.begin(), effects.end(), name); };
+  EXPECT_EQ(simulated("linear normal force"), 1);
+  EXPECT_EQ(simulated("friction with spring"), 1);
+  EXPECT_EQ(simulated("gravity"), 0);
   EXPECT_EQ(file.text_attribute("/parameters", "units"), std::vector<std::string>{"si"});
 }
 
@@ -308,7 +311,10 @@ class Killed : public SnapshotOfARun {
   }
 
   void expect_complete_frames(std::int64_t last) const {
-    run(scene + fmt::format("fix s all snapshot/disc 20 file whole.h5\nrun {}\n", last), 2);
+    // Lists of neighbours are built anew where a restart file is written.
+    run(scene +
+            fmt::format("restart 100 w.*.restart\nfix s all snapshot/disc 20 file whole.h5\nrun {}\n", last),
+        2);
     EXPECT_EQ(snapshots(), snapshots("whole.h5"));
     const std::string h5py = fmt::format(
         "/usr/bin/python3 -c 'import h5py, sys; f = h5py.File(\"{}\", \"r\", swmr=True); "
