@@ -4,7 +4,6 @@
 // torques; the arithmetic of the law is not here.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -35,22 +34,6 @@ struct AppliedContact {
   double v_n, v_t;
 };
 
-/// What the pair loop reads of a disc, and what it adds up for it.
-struct Place {
-  double x, y, radius;
-};
-struct Motion {
-  double v_x, v_y, omega;
-};
-struct Load {
-  double f_x = 0, f_y = 0, torque = 0;
-};
-
-/// A pair of the engine's neighbour list.
-struct NeighbourPair {
-  int i, j;
-};
-
 class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected LAMMPS_NS::Pointers {
  public:
   PairGranDisc(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::PairGran* parent, int64_t hash);
@@ -75,9 +58,7 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   bool velocities_predicted() const { return predicted_; }
 
  private:
-  using Lanes = std::array<int, physics::ContactBatch::lanes>;  // the pair in each lane
   using Loop = void (PairGranDisc::*)(LAMMPS_NS::PairGran&, bool addflag);
-  struct Neighbours;
 
   std::string style() const;  // as error lines begin
   [[noreturn]] void fail(const std::string& what) const;
@@ -97,20 +78,13 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   void scatter();
   template <physics::Effects effects>
   void flatten(LAMMPS_NS::PairGran& pair);
-  template <physics::Effects effects>
-  void find_first_contacts();
-  double* history_of(int index) const;
-  void start_spring(int index, int flag);
-  template <physics::Effects effects>
-  void load(physics::ContactBatch& batch, const int* lanes, int count) const;
-  template <physics::Effects effects>
-  int drop_ended(const physics::ContactBatch& batch, Lanes& lanes, int count);
-  void slip_of_first_contacts(physics::ContactBatch& batch, const int* lanes, int count, double dt) const;
-  template <physics::Effects effects>
-  void store(const physics::ContactBatch& batch, const int* lanes, int count, bool move_spring);
-  void observe(LAMMPS_NS::PairGran& pair, const physics::ContactBatch& batch, int lane, int index,
-               bool addflag);
-  [[noreturn]] void stop_at_coincident_centres(const physics::ContactBatch& batch, const Lanes& lanes) const;
+  void find_near_pairs();
+  void set_materials(physics::ContactBatch& batch, const physics::DiscPair* pairs, int count) const;
+  void begin_and_end_contacts(physics::ContactBatch& batch, std::size_t first, int count, double dt);
+  void observe(LAMMPS_NS::PairGran& pair, const physics::ContactBatch& batch, int lane,
+               const physics::DiscPair& discs, bool addflag);
+  [[noreturn]] void stop_at_coincident_centres(const physics::ContactBatch& batch,
+                                               const physics::DiscPair* pairs) const;
   template <physics::Effects effects, bool observed>
   void loop(LAMMPS_NS::PairGran& pair, bool addflag);
 
@@ -120,20 +94,21 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   bool run_started_ = false;
   std::vector<physics::ContactParameters> parameters_;  // of type i and type j at (i - 1) * types + j - 1
   // Of this step: owned and ghost discs, the loads on them.
-  std::vector<Place> places_;
-  std::vector<Motion> motions_;
-  std::vector<Load> loads_;
-  std::vector<int> first_contacts_, ended_;  // pairs, sorted
+  std::vector<physics::DiscRow> discs_;
+  std::vector<physics::DiscLoad> loads_;
   std::unique_ptr<physics::ContactBatch> batch_ = std::make_unique<physics::ContactBatch>();
-  // Since the neighbour list was built: its pairs, the first of each disc, the engine's contact history, and
-  // which pairs touched in the last step (sorted, so that forces are summed in the same order whatever
-  // happened before).
-  std::vector<NeighbourPair> pairs_;
+  // Since the neighbour list was built: its pairs, the first of each disc, the engine's flags of contacts,
+  // and for laws with a spring which pairs touched in the last step.
+  std::vector<physics::DiscPair> pairs_;
   std::vector<int> first_pair_;
   int** flags_ = nullptr;
-  double** histories_ = nullptr;
-  std::ptrdiff_t history_size_ = 0;
-  std::vector<int> touching_, apart_;
+  std::vector<char> in_contact_;
+  // Since the last look at all pairs: those that may have met since, their numbers among all pairs, 1 where
+  // they touched in the last step; and how far any disc has moved at most [m].
+  std::vector<physics::DiscPair> near_;
+  std::vector<int> near_index_;
+  std::vector<double> touched_;
+  double near_gap_ = 0, moved_ = 0;
   bool one_material_ = false;  // all pairs of types have the same constants
   Loop plain_loop_ = nullptr;
   Loop observed_loop_ = nullptr;

@@ -1,10 +1,8 @@
 // The pair loop of the disc law: one instance for each combination of effects, each plain and observed.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <iterator>
 #include <string>
 #include <utility>
 
@@ -19,33 +17,69 @@
 // Compiled for AVX2 and for any x86-64; the processor decides. Without fused multiply-add, so that both give
 // the same. Clang does not clone templates.
 #ifdef __clang__
-#define FOR_EACH_PROCESSOR
+#define FOR_EACH_PROCESSOR __attribute__((flatten))
 #else
-#define FOR_EACH_PROCESSOR __attribute__((target_clones("avx2", "default")))
+#define FOR_EACH_PROCESSOR __attribute__((flatten, target_clones("arch=x86-64-v4", "avx2", "default")))
 #endif
 
 namespace mikromakro::liggghts {
 
 using namespace LAMMPS_NS;
 using physics::ContactBatch;
+using physics::DiscLoad;
+using physics::DiscPair;
+using physics::DiscRow;
 using physics::Effects;
 using physics::Tangential;
 
 namespace {
+
 using Vector3 = double[3];
 
-// Columns of the contact history.
-constexpr int history_xi = 0, history_slip_rate = 1;
+/// A pair that was further apart than this fraction of the neighbour list's skin is not looked at again
+/// before discs have moved as far.
+constexpr double near_fraction = 0.2;
+
+/// What a batch of pairs reads and writes.
+struct BatchOfPairs {
+  const DiscRow* discs;
+  DiscLoad* loads;
+  const DiscPair* pairs;
+  const double* touched;
+  int count;
+  bool predicted;
+  double dt;
+};
+
+template <Effects effects>
+FOR_EACH_PROCESSOR physics::BatchState batch_geometry(ContactBatch& c, const BatchOfPairs& b) {
+  physics::load_discs<effects>(c, b.discs, b.pairs, b.count);
+  if constexpr (effects.spring()) physics::load_springs(c, b.pairs, b.touched, b.count);
+  const auto state = physics::contact_geometry<effects>(c, b.count);
+  if constexpr (effects.spring()) physics::contact_slip(c, b.count, b.predicted, b.dt);
+  return state;
+}
+
+template <Effects effects>
+FOR_EACH_PROCESSOR void batch_forces(ContactBatch& c, const BatchOfPairs& b) {
+  physics::contact_forces<effects>(c, b.count);
+  physics::add_loads<effects>(c, b.pairs, b.count, b.loads);
+}
+
+FOR_EACH_PROCESSOR void batch_springs(const ContactBatch& c, const BatchOfPairs& b) {
+  physics::store_springs(c, b.pairs, b.count);
+}
+
 }  // namespace
 
 /// The engine's Error::one is silent on all ranks but the first, and loses its line where the output is a
 /// pipe.
-void PairGranDisc::stop_at_coincident_centres(const ContactBatch& c, const Lanes& lanes) const {
+void PairGranDisc::stop_at_coincident_centres(const ContactBatch& c, const DiscPair* pairs) const {
   int lane = 0;
   while (!std::isnan(c.n_x[lane])) ++lane;
-  const auto [i, j] = pairs_[lanes[lane]];
-  const std::string text = "ERROR: " + style() + ": discs " + std::to_string(atom->tag[i]) + " and " +
-                           std::to_string(atom->tag[j]) + " have the same centre in step " +
+  const auto& pair = pairs[lane];
+  const std::string text = "ERROR: " + style() + ": discs " + std::to_string(atom->tag[pair.i]) + " and " +
+                           std::to_string(atom->tag[pair.j]) + " have the same centre in step " +
                            std::to_string(update->ntimestep) + ": their contact has no normal\n";
   if (logfile) std::fputs(text.c_str(), logfile);
   std::fflush(nullptr);
@@ -54,20 +88,23 @@ void PairGranDisc::stop_at_coincident_centres(const ContactBatch& c, const Lanes
   std::abort();
 }
 
-/// What the pair loop reads of each disc, owned or ghost, side by side: the engine's arrays would cost a
-/// cache line each for every neighbour.
+/// Rows of all discs, owned or ghost, from the engine's arrays, which would cost a cache line each for every
+/// neighbour. Notes how far any disc has moved.
 void PairGranDisc::gather() {
   const int count = atom->nlocal + atom->nghost;
-  places_.resize(count);
-  motions_.resize(count);
+  discs_.resize(count);
+  loads_.resize(count);
   const auto* x = reinterpret_cast<const Vector3*>(atom->x[0]);
   const auto* v = reinterpret_cast<const Vector3*>(atom->v[0]);
   const auto* omega = reinterpret_cast<const Vector3*>(atom->omega[0]);
+  double furthest = 0;
   for (int i = 0; i < count; ++i) {
-    places_[i] = {x[i][0], x[i][1], atom->radius[i]};
-    motions_[i] = {v[i][0], v[i][1], omega[i][2]};
+    const double d_x = x[i][0] - discs_[i].x(), d_y = x[i][1] - discs_[i].y();
+    furthest = std::max(furthest, d_x * d_x + d_y * d_y);
+    discs_[i] = DiscRow::of(x[i][0], x[i][1], atom->radius[i]);
+    discs_[i].set_motion(v[i][0], v[i][1], omega[i][2]);
   }
-  loads_.resize(count);
+  moved_ += std::sqrt(furthest);
 }
 
 /// Adds the loads of the owned discs to the engine's forces and torques, and leaves none for the next step.
@@ -76,12 +113,11 @@ void PairGranDisc::scatter() {
   auto* torque = reinterpret_cast<Vector3*>(atom->torque[0]);
   const int nlocal = atom->nlocal;
   for (int i = 0; i < nlocal; ++i) {
-    f[i][0] += loads_[i].f_x;
-    f[i][1] += loads_[i].f_y;
-    torque[i][2] += loads_[i].torque;
-    loads_[i] = {0, 0, 0};
+    f[i][0] += loads_[i].f_x();
+    f[i][1] += loads_[i].f_y();
+    torque[i][2] += loads_[i].torque(discs_[i].radius());
   }
-  std::fill(loads_.begin() + nlocal, loads_.end(), Load{0, 0, 0});
+  std::fill(loads_.begin(), loads_.end(), DiscLoad{});
 }
 
 /// Copies the engine's neighbour list, which it has just built, into one flat list of pairs.
@@ -89,221 +125,101 @@ template <Effects effects>
 void PairGranDisc::flatten(PairGran& pair) {
   const NeighList& list = *pair.list;
   pairs_.clear();
-  touching_.clear();
-  apart_.clear();
+  in_contact_.clear();
   first_pair_.resize(atom->nlocal);
-  history_size_ = pair.dnum();
+  const std::ptrdiff_t history_size = pair.dnum();
+  if constexpr (effects.spring()) flags_ = pair.listgranhistory->firstneigh;
   for (int ii = 0; ii < list.inum; ++ii) {
     const int i = list.ilist[ii];
     first_pair_[i] = static_cast<int>(pairs_.size());
     for (int jj = 0; jj < list.numneigh[i]; ++jj) {
-      bool touched = false;
-      if constexpr (effects.spring()) touched = pair.listgranhistory->firstneigh[i][jj] != 0;
-      (touched ? touching_ : apart_).push_back(static_cast<int>(pairs_.size()));
-      pairs_.push_back({i, list.firstneigh[i][jj] & NEIGHMASK});
+      double* history = nullptr;
+      if constexpr (effects.spring()) history = pair.listgranhistory->firstdouble[i] + history_size * jj;
+      pairs_.push_back({i, list.firstneigh[i][jj] & NEIGHMASK, history});
+      in_contact_.push_back(effects.spring() && flags_[i][jj] != 0);
     }
   }
-  if constexpr (effects.spring()) {
-    flags_ = pair.listgranhistory->firstneigh;
-    histories_ = pair.listgranhistory->firstdouble;
+}
+
+/// Lists the pairs that may touch before the discs have moved by a small part of the skin.
+void PairGranDisc::find_near_pairs() {
+  near_gap_ = near_fraction * neighbor->skin;
+  moved_ = 0;
+  near_.clear();
+  near_index_.clear();
+  touched_.clear();
+  const DiscRow* discs = discs_.data();
+  for (int index = 0; index < static_cast<int>(pairs_.size()); ++index) {
+    const auto& pair = pairs_[index];
+    const auto d = discs[pair.j].place + physics::sign_of_place * discs[pair.i].place;
+    const double limit = d[2] + near_gap_;
+    if (d[0] * d[0] + d[1] * d[1] > limit * limit && !in_contact_[index]) continue;
+    near_.push_back(pair);
+    near_index_.push_back(index);
+    touched_.push_back(in_contact_[index] ? 1.0 : 0.0);
   }
 }
 
-/// Where the engine keeps the history of a pair: xi [m] and slip rate [m/s].
-inline double* PairGranDisc::history_of(int index) const {
-  const int i = pairs_[index].i;
-  return histories_[i] + history_size_ * (index - first_pair_[i]);
-}
-
-namespace {
-
-/// Moves the few sorted `moved` from one sorted list to another, in place.
-void move_sorted(std::vector<int>& from, std::vector<int>& to, const std::vector<int>& moved) {
-  auto next = moved.begin();
-  auto kept = std::lower_bound(from.begin(), from.end(), *next);
-  for (auto read = kept; read != from.end(); ++read) {
-    if (next != moved.end() && *read == *next) {
-      ++next;
-    } else {
-      *kept++ = *read;
-    }
-  }
-  from.erase(kept, from.end());
-
-  // From the end, until all that is new has found its place.
-  auto old = static_cast<std::ptrdiff_t>(to.size()) - 1;
-  to.resize(to.size() + moved.size());
-  auto write = static_cast<std::ptrdiff_t>(to.size()) - 1;
-  for (auto left = static_cast<std::ptrdiff_t>(moved.size()) - 1; left >= 0;) {
-    to[write--] = old >= 0 && to[old] > moved[left] ? to[old--] : moved[left--];
-  }
-}
-
-}  // namespace
-
-/// Looks through the pairs that were apart; those that overlap now begin with a spring of zero.
-template <Effects effects>
-void PairGranDisc::find_first_contacts() {
-  const Place* places = places_.data();
-  first_contacts_.clear();
-  for (const int index : apart_) {
-    const Place &a = places[pairs_[index].i], &b = places[pairs_[index].j];
-    const double d_x = b.x - a.x, d_y = b.y - a.y;
-    if (a.radius + b.radius - std::sqrt(d_x * d_x + d_y * d_y) > 0) first_contacts_.push_back(index);
-  }
-  if (first_contacts_.empty()) return;
-  move_sorted(apart_, touching_, first_contacts_);
-  if constexpr (effects.spring()) {
-    for (const int index : first_contacts_) start_spring(index, 1);
-  }
-}
-
-void PairGranDisc::start_spring(int index, int flag) {
-  const int i = pairs_[index].i;
-  flags_[i][index - first_pair_[i]] = flag;
-  double* history = history_of(index);
-  history[history_xi] = history[history_slip_rate] = 0;
-}
-
-/// Places, velocities, springs and material constants of the pairs in the lanes.
-template <Effects effects>
-void PairGranDisc::load(ContactBatch& c, const int* lanes, int count) const {
+/// Of the pairs from `first` on, one batch, those that began to touch get a spring of zero, and those that
+/// ceased to lose theirs.
+void PairGranDisc::begin_and_end_contacts(ContactBatch& c, std::size_t first, int count, double dt) {
   for (int k = 0; k < count; ++k) {
-    const auto [i, j] = pairs_[lanes[k]];
-    const Place &a = places_[i], &b = places_[j];
-    const Motion &m = motions_[i], &n = motions_[j];
-    c.d_x[k] = b.x - a.x;
-    c.d_y[k] = b.y - a.y;
-    c.a_1[k] = a.radius;
-    c.a_2[k] = b.radius;
-    c.w_x[k] = m.v_x - n.v_x;
-    c.w_y[k] = m.v_y - n.v_y;
-    if constexpr (effects.tangential != Tangential::none) {
-      c.omega_1[k] = m.omega;
-      c.omega_2[k] = n.omega;
-    }
-    if constexpr (effects.spring()) {
-      const double* history = history_of(lanes[k]);
-      c.xi[k] = history[history_xi];
-      c.slip_rate[k] = history[history_slip_rate];
-    }
-  }
-  if (one_material_) return;  // it is in all lanes already
-  const std::size_t types = atom->ntypes;
-  for (int k = 0; k < count; ++k) {
-    const auto [i, j] = pairs_[lanes[k]];
-    c.set_material(k, parameters_[(atom->type[i] - 1) * types + atom->type[j] - 1]);
-  }
-}
-
-namespace {
-
-template <Effects effects>
-FOR_EACH_PROCESSOR physics::BatchState batch_geometry(ContactBatch& c, int count, bool predicted, double dt) {
-  const auto state = physics::contact_geometry<effects>(c, count);
-  if constexpr (effects.spring()) physics::contact_slip(c, count, predicted, dt);
-  return state;
-}
-template <Effects effects>
-FOR_EACH_PROCESSOR void batch_forces(ContactBatch& c, int count) {
-  physics::contact_forces<effects>(c, count);
-}
-
-}  // namespace
-
-/// With predicted velocities, contacts that begin in this step slip from the moment when they touched.
-void PairGranDisc::slip_of_first_contacts(ContactBatch& c, const int* lanes, int count, double dt) const {
-  auto first = std::lower_bound(first_contacts_.begin(), first_contacts_.end(), lanes[0]);
-  for (int k = 0; k < count && first != first_contacts_.end(); ++k) {
-    if (lanes[k] != *first) continue;
-    ++first;
-    c.slip_rate[k] = c.v_t[k];
-    if (predicted_ && dt > 0)
-      c.slip[k] = physics::slip_since_onset({c.overlap[k], c.v_n[k], c.v_t[k], 0}, dt);
-  }
-}
-
-/// Takes the lanes that overlap no more out of the batch and notes their pairs; returns how many stay.
-template <Effects effects>
-int PairGranDisc::drop_ended(const ContactBatch& c, Lanes& lanes, int count) {
-  int stay = 0;
-  for (int k = 0; k < count; ++k) {
-    if (c.overlap[k] <= 0) {
-      ended_.push_back(lanes[k]);
-      if constexpr (effects.spring()) start_spring(lanes[k], 0);
-    } else {
-      lanes[stay++] = lanes[k];
-    }
-  }
-  return stay;
-}
-
-/// Adds the forces and torques to both discs and keeps the springs.
-template <Effects effects>
-void PairGranDisc::store(const ContactBatch& c, const int* lanes, int count, bool move_spring) {
-  for (int k = 0; k < count; ++k) {
-    const auto [i, j] = pairs_[lanes[k]];
-    Load &on_i = loads_[i], &on_j = loads_[j];
-    on_i.f_x += c.f_x[k];
-    on_i.f_y += c.f_y[k];
-    on_j.f_x -= c.f_x[k];
-    on_j.f_y -= c.f_y[k];
-    if constexpr (effects.tangential != Tangential::none) {
-      on_i.torque += c.torque_1[k];
-      on_j.torque += c.torque_2[k];
-    }
-  }
-  if constexpr (effects.spring()) {
-    if (!move_spring) return;
-    for (int k = 0; k < count; ++k) {
-      double* history = history_of(lanes[k]);
-      history[history_xi] = c.xi[k];
-      history[history_slip_rate] = c.slip_rate[k];
-    }
+    if (c.touches(k) == (c.touched[k] != 0)) continue;
+    const int index = near_index_[first + k], i = pairs_[index].i;
+    touched_[first + k] = c.touches(k) ? 1.0 : 0.0;
+    in_contact_[index] = c.touches(k);
+    flags_[i][index - first_pair_[i]] = c.touches(k);
+    pairs_[index].history[physics::history_xi] = pairs_[index].history[physics::history_slip_rate] = 0;
+    physics::begin_or_end_contact(c, k, predicted_, dt);
   }
 }
 
 template <Effects effects, bool observed>
 void PairGranDisc::loop(PairGran& pair, bool addflag) {
   gather();
-  if (neighbor->ago == 0 || pairs_.empty()) flatten<effects>(pair);
+  const bool new_pairs = neighbor->ago == 0 || pairs_.empty();
+  if (new_pairs) flatten<effects>(pair);
+  if (new_pairs || 2 * moved_ > near_gap_) find_near_pairs();
   const bool move_spring = pair.computeflag() && pair.shearupdate();
   const double dt = move_spring ? update->dt : 0.0;
   ContactBatch& c = *batch_;
   for (int k = 0; k < ContactBatch::lanes; ++k) c.set_material(k, parameters_.front());
 
-  find_first_contacts<effects>();
-  ended_.clear();
-  Lanes lanes;
-  for (std::size_t next = 0; next < touching_.size(); next += ContactBatch::lanes) {
-    int count = static_cast<int>(std::min<std::size_t>(ContactBatch::lanes, touching_.size() - next));
-    std::copy_n(touching_.begin() + static_cast<std::ptrdiff_t>(next), count, lanes.begin());
-    load<effects>(c, lanes.data(), count);
-    auto state = batch_geometry<effects>(c, count, predicted_, dt);
-    if (!state.all_defined) stop_at_coincident_centres(c, lanes);
-    if (!state.all_touch) {
-      count = drop_ended<effects>(c, lanes, count);
-      load<effects>(c, lanes.data(), count);
-      batch_geometry<effects>(c, count, predicted_, dt);
-    }
-    if (effects.spring() && !first_contacts_.empty()) slip_of_first_contacts(c, lanes.data(), count, dt);
-    batch_forces<effects>(c, count);
-    store<effects>(c, lanes.data(), count, move_spring);
+  for (std::size_t first = 0; first < near_.size(); first += ContactBatch::lanes) {
+    const int count = static_cast<int>(std::min<std::size_t>(ContactBatch::lanes, near_.size() - first));
+    const BatchOfPairs batch{
+        discs_.data(), loads_.data(), &near_[first], &touched_[first], count, predicted_, dt};
+    if (!one_material_) set_materials(c, batch.pairs, count);
+    const auto state = batch_geometry<effects>(c, batch);
+    if (state.any_undefined) stop_at_coincident_centres(c, batch.pairs);
+    if (state.any_changed) begin_and_end_contacts(c, first, count, dt);
+    batch_forces<effects>(c, batch);
+    if (effects.spring() && move_spring) batch_springs(c, batch);
     if constexpr (observed) {
-      for (int k = 0; k < count; ++k) observe(pair, c, k, lanes[k], addflag);
+      for (int k = 0; k < count; ++k) {
+        if (c.touches(k)) observe(pair, c, k, batch.pairs[k], addflag);
+      }
     }
   }
-  if (!ended_.empty()) move_sorted(touching_, apart_, ended_);
   if (pair.computeflag()) {
     scatter();
   } else {
-    std::fill(loads_.begin(), loads_.end(), Load{0, 0, 0});
+    std::fill(loads_.begin(), loads_.end(), DiscLoad{});
+  }
+}
+
+void PairGranDisc::set_materials(ContactBatch& c, const DiscPair* pairs, int count) const {
+  const std::size_t types = atom->ntypes;
+  for (int k = 0; k < count; ++k) {
+    const auto& pair = pairs[k];
+    c.set_material(k, parameters_[(atom->type[pair.i] - 1) * types + atom->type[pair.j] - 1]);
   }
 }
 
 /// Hands one contact to whoever looks at it: our own record, `compute pair/gran/local`, the virial.
-void PairGranDisc::observe(PairGran& pair, const ContactBatch& c, int k, int index, bool addflag) {
-  const auto [i, j] = pairs_[index];
+void PairGranDisc::observe(PairGran& pair, const ContactBatch& c, int k, const DiscPair& discs,
+                           bool addflag) {
+  const int i = discs.i, j = discs.j;
   if (recording_) {
     const double xi = effects_.spring() ? c.xi[k] : 0.0;
     applied_.push_back(
@@ -315,10 +231,10 @@ void PairGranDisc::observe(PairGran& pair, const ContactBatch& c, int k, int ind
     data.i = i;
     data.j = j;
     data.deltan = c.overlap[k];
-    data.contact_history = effects_.spring() ? history_of(index) : nullptr;
+    data.contact_history = discs.history;
     force_on_i.delta_F[0] = c.f_x[k];
     force_on_i.delta_F[1] = c.f_y[k];
-    force_on_i.delta_torque[2] = c.torque_1[k];
+    force_on_i.delta_torque[2] = discs_[i].radius() * c.f_t[k] - c.short_torque[k];
     pair.cpl_add_pair(data, force_on_i);
   }
   if (pair.evflag) {
