@@ -14,6 +14,7 @@
 #include "granular_pair_style.h"
 #include "physics/contact_batch.h"
 #include "physics/contact_law.h"
+#include "physics/near_pairs.h"
 #include "pointers.h"
 
 namespace mikromakro::liggghts {
@@ -78,11 +79,13 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   void scatter();
   template <physics::Effects effects>
   void flatten(LAMMPS_NS::PairGran& pair);
+  template <physics::Effects effects>
   void find_near_pairs();
   void set_materials(physics::ContactBatch& batch, const physics::DiscPair* pairs, int count) const;
-  void begin_and_end_contacts(physics::ContactBatch& batch, std::size_t first, int count, double dt);
-  void observe(LAMMPS_NS::PairGran& pair, const physics::ContactBatch& batch, int lane,
-               const physics::DiscPair& discs, bool addflag);
+  void begin_and_end_contacts(physics::ContactBatch& batch, int first, int count, double dt);
+  void store_springs(const physics::ContactBatch& batch, int first, int count);
+  void observe(LAMMPS_NS::PairGran& pair, const physics::ContactBatch& batch, int lane, int first,
+               bool addflag);
   [[noreturn]] void stop_at_coincident_centres(const physics::ContactBatch& batch,
                                                const physics::DiscPair* pairs) const;
   template <physics::Effects effects, bool observed>
@@ -97,17 +100,15 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   std::vector<physics::DiscRow> discs_;
   std::vector<physics::DiscLoad> loads_;
   std::unique_ptr<physics::ContactBatch> batch_ = std::make_unique<physics::ContactBatch>();
-  // Since the neighbour list was built: its pairs, the first of each disc, the engine's flags of contacts,
-  // and for laws with a spring which pairs touched in the last step.
+  // Since the neighbour list was built: its pairs, the first of each disc, and for laws with a spring the
+  // engine's flags and histories of contacts, and which pairs touched in the last step.
   std::vector<physics::DiscPair> pairs_;
   std::vector<int> first_pair_;
   int** flags_ = nullptr;
+  std::vector<double*> histories_;
   std::vector<char> in_contact_;
-  // Since the last look at all pairs: those that may have met since, their numbers among all pairs, 1 where
-  // they touched in the last step; and how far any disc has moved at most [m].
-  std::vector<physics::DiscPair> near_;
-  std::vector<int> near_index_;
-  std::vector<double> touched_;
+  // Since the last look at all pairs: those that may touch, and how far any disc has moved at most [m].
+  physics::NearPairs near_;
   double near_gap_ = 0, moved_ = 0;
   bool one_material_ = false;  // all pairs of types have the same constants
   Loop plain_loop_ = nullptr;

@@ -12,6 +12,7 @@
 #include "neighbor.h"
 #include "pair_gran_disc.h"
 #include "physics/contact_batch.h"
+#include "physics/near_pairs.h"
 #include "update.h"
 
 // Compiled for AVX2 and for any x86-64; the processor decides. Without fused multiply-add, so that both give
@@ -36,16 +37,14 @@ namespace {
 
 using Vector3 = double[3];
 
-/// A pair that was further apart than this fraction of the neighbour list's skin is not looked at again
-/// before discs have moved as far.
-constexpr double near_fraction = 0.2;
+// Columns of the engine's contact history.
+constexpr int history_xi = 0, history_slip_rate = 1;
 
 /// What a batch of pairs reads and writes.
 struct BatchOfPairs {
   const DiscRow* discs;
   DiscLoad* loads;
   const DiscPair* pairs;
-  const double* touched;
   int count;
   bool predicted;
   double dt;
@@ -54,7 +53,6 @@ struct BatchOfPairs {
 template <Effects effects>
 FOR_EACH_PROCESSOR physics::BatchState batch_geometry(ContactBatch& c, const BatchOfPairs& b) {
   physics::load_discs<effects>(c, b.discs, b.pairs, b.count);
-  if constexpr (effects.spring()) physics::load_springs(c, b.pairs, b.touched, b.count);
   const auto state = physics::contact_geometry<effects>(c, b.count);
   if constexpr (effects.spring()) physics::contact_slip(c, b.count, b.predicted, b.dt);
   return state;
@@ -64,10 +62,6 @@ template <Effects effects>
 FOR_EACH_PROCESSOR void batch_forces(ContactBatch& c, const BatchOfPairs& b) {
   physics::contact_forces<effects>(c, b.count);
   physics::add_loads<effects>(c, b.pairs, b.count, b.loads);
-}
-
-FOR_EACH_PROCESSOR void batch_springs(const ContactBatch& c, const BatchOfPairs& b) {
-  physics::store_springs(c, b.pairs, b.count);
 }
 
 }  // namespace
@@ -125,6 +119,7 @@ template <Effects effects>
 void PairGranDisc::flatten(PairGran& pair) {
   const NeighList& list = *pair.list;
   pairs_.clear();
+  histories_.clear();
   in_contact_.clear();
   first_pair_.resize(atom->nlocal);
   const std::ptrdiff_t history_size = pair.dnum();
@@ -133,44 +128,54 @@ void PairGranDisc::flatten(PairGran& pair) {
     const int i = list.ilist[ii];
     first_pair_[i] = static_cast<int>(pairs_.size());
     for (int jj = 0; jj < list.numneigh[i]; ++jj) {
-      double* history = nullptr;
-      if constexpr (effects.spring()) history = pair.listgranhistory->firstdouble[i] + history_size * jj;
-      pairs_.push_back({i, list.firstneigh[i][jj] & NEIGHMASK, history});
+      pairs_.push_back({i, list.firstneigh[i][jj] & NEIGHMASK});
+      if constexpr (effects.spring())
+        histories_.push_back(pair.listgranhistory->firstdouble[i] + history_size * jj);
       in_contact_.push_back(effects.spring() && flags_[i][jj] != 0);
     }
   }
 }
 
-/// Lists the pairs that may touch before the discs have moved by a small part of the skin.
+/// Looks through all pairs for those that may touch before the discs have moved by a small part of the skin.
+template <Effects effects>
 void PairGranDisc::find_near_pairs() {
-  near_gap_ = near_fraction * neighbor->skin;
+  near_gap_ = physics::near_fraction * neighbor->skin;
   moved_ = 0;
   near_.clear();
-  near_index_.clear();
-  touched_.clear();
-  const DiscRow* discs = discs_.data();
-  for (int index = 0; index < static_cast<int>(pairs_.size()); ++index) {
-    const auto& pair = pairs_[index];
-    const auto d = discs[pair.j].place + physics::sign_of_place * discs[pair.i].place;
-    const double limit = d[2] + near_gap_;
-    if (d[0] * d[0] + d[1] * d[1] > limit * limit && !in_contact_[index]) continue;
-    near_.push_back(pair);
-    near_index_.push_back(index);
-    touched_.push_back(in_contact_[index] ? 1.0 : 0.0);
+  for (int number = 0; number < static_cast<int>(pairs_.size()); ++number) {
+    const auto& pair = pairs_[number];
+    const bool touched = in_contact_[number] != 0;
+    if (!touched && !physics::are_near(discs_[pair.i], discs_[pair.j], near_gap_)) continue;
+    if constexpr (effects.spring()) {
+      const double* history = histories_[number];
+      near_.add(pair, number, touched, history[history_xi], history[history_slip_rate]);
+    } else {
+      near_.add(pair, number, touched, 0, 0);
+    }
   }
 }
 
 /// Of the pairs from `first` on, one batch, those that began to touch get a spring of zero, and those that
 /// ceased to lose theirs.
-void PairGranDisc::begin_and_end_contacts(ContactBatch& c, std::size_t first, int count, double dt) {
+void PairGranDisc::begin_and_end_contacts(ContactBatch& c, int first, int count, double dt) {
   for (int k = 0; k < count; ++k) {
     if (c.touches(k) == (c.touched[k] != 0)) continue;
-    const int index = near_index_[first + k], i = pairs_[index].i;
-    touched_[first + k] = c.touches(k) ? 1.0 : 0.0;
-    in_contact_[index] = c.touches(k);
-    flags_[i][index - first_pair_[i]] = c.touches(k);
-    pairs_[index].history[physics::history_xi] = pairs_[index].history[physics::history_slip_rate] = 0;
+    const int number = near_.number(first + k), i = pairs_[number].i;
+    near_.set_touched(first + k, c.touches(k));
+    in_contact_[number] = c.touches(k);
+    flags_[i][number - first_pair_[i]] = c.touches(k);
+    histories_[number][history_xi] = histories_[number][history_slip_rate] = 0;
     physics::begin_or_end_contact(c, k, predicted_, dt);
+  }
+}
+
+/// Keeps the springs, here and where the engine looks for them.
+void PairGranDisc::store_springs(const ContactBatch& c, int first, int count) {
+  near_.store_springs(c, first, count);
+  for (int k = 0; k < count; ++k) {
+    double* history = histories_[near_.number(first + k)];
+    history[history_xi] = c.xi[k];
+    history[history_slip_rate] = c.slip_rate[k];
   }
 }
 
@@ -179,25 +184,25 @@ void PairGranDisc::loop(PairGran& pair, bool addflag) {
   gather();
   const bool new_pairs = neighbor->ago == 0 || pairs_.empty();
   if (new_pairs) flatten<effects>(pair);
-  if (new_pairs || 2 * moved_ > near_gap_) find_near_pairs();
+  if (new_pairs || 2 * moved_ > near_gap_) find_near_pairs<effects>();
   const bool move_spring = pair.computeflag() && pair.shearupdate();
   const double dt = move_spring ? update->dt : 0.0;
   ContactBatch& c = *batch_;
   for (int k = 0; k < ContactBatch::lanes; ++k) c.set_material(k, parameters_.front());
 
-  for (std::size_t first = 0; first < near_.size(); first += ContactBatch::lanes) {
-    const int count = static_cast<int>(std::min<std::size_t>(ContactBatch::lanes, near_.size() - first));
-    const BatchOfPairs batch{
-        discs_.data(), loads_.data(), &near_[first], &touched_[first], count, predicted_, dt};
+  for (int first = 0; first < near_.size(); first += ContactBatch::lanes) {
+    const int count = std::min(ContactBatch::lanes, near_.size() - first);
+    const BatchOfPairs batch{discs_.data(), loads_.data(), near_.from(first), count, predicted_, dt};
     if (!one_material_) set_materials(c, batch.pairs, count);
+    if (effects.spring()) near_.load_springs(c, first, count);
     const auto state = batch_geometry<effects>(c, batch);
     if (state.any_undefined) stop_at_coincident_centres(c, batch.pairs);
     if (state.any_changed) begin_and_end_contacts(c, first, count, dt);
     batch_forces<effects>(c, batch);
-    if (effects.spring() && move_spring) batch_springs(c, batch);
+    if (effects.spring() && move_spring) store_springs(c, first, count);
     if constexpr (observed) {
       for (int k = 0; k < count; ++k) {
-        if (c.touches(k)) observe(pair, c, k, batch.pairs[k], addflag);
+        if (c.touches(k)) observe(pair, c, k, first, addflag);
       }
     }
   }
@@ -217,9 +222,8 @@ void PairGranDisc::set_materials(ContactBatch& c, const DiscPair* pairs, int cou
 }
 
 /// Hands one contact to whoever looks at it: our own record, `compute pair/gran/local`, the virial.
-void PairGranDisc::observe(PairGran& pair, const ContactBatch& c, int k, const DiscPair& discs,
-                           bool addflag) {
-  const int i = discs.i, j = discs.j;
+void PairGranDisc::observe(PairGran& pair, const ContactBatch& c, int k, int first, bool addflag) {
+  const auto [i, j] = near_.from(first)[k];
   if (recording_) {
     const double xi = effects_.spring() ? c.xi[k] : 0.0;
     applied_.push_back(
@@ -231,7 +235,7 @@ void PairGranDisc::observe(PairGran& pair, const ContactBatch& c, int k, const D
     data.i = i;
     data.j = j;
     data.deltan = c.overlap[k];
-    data.contact_history = discs.history;
+    data.contact_history = effects_.spring() ? histories_[near_.number(first + k)] : nullptr;
     force_on_i.delta_F[0] = c.f_x[k];
     force_on_i.delta_F[1] = c.f_y[k];
     force_on_i.delta_torque[2] = discs_[i].radius() * c.f_t[k] - c.short_torque[k];

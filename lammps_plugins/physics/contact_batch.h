@@ -4,20 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include "physics/contact_law.h"
 #include "physics/disc_rows.h"
 
 namespace mikromakro::physics {
 
-/// A pair of discs that may touch, and where its spring lies.
+/// The numbers of two discs that may touch.
 struct DiscPair {
   int i, j;
-  double* history;  // xi [m] and slip rate [m/s]; nullptr for laws without a spring
 };
-
-/// Columns of the history of a contact.
-inline constexpr int history_xi = 0, history_slip_rate = 1, history_size = 2;
 
 /// Pairs of discs 1 and 2, one for each lane; units and signs as in contact_law.h. A lane whose discs do not
 /// touch carries no force. The lanes of a batch fit into the first cache of any processor.
@@ -30,8 +28,8 @@ struct ContactBatch {
   alignas(64) Lanes d_x, d_y, reach, radius_difference, w_x, w_y, spin, rim_speed;
   // in: material
   alignas(64) Lanes k_n, gamma_n, k_t, gamma_t, mu;
-  // for laws with a spring; in: 1 where the discs touched in the step before, else 0
-  alignas(64) Lanes touched;
+  // for laws with a spring; in: whether the discs touched in the step before
+  alignas(64) std::int64_t touched[lanes];
   // in and out: the spring, its slip rate in the middle of a step; in: the slip of this step
   alignas(64) Lanes xi, slip_rate, slip;
   // out: geometry, law, force on 1
@@ -62,48 +60,45 @@ struct BatchState {
   bool any_changed, any_undefined;
 };
 
+/// Places and motions of four pairs.
+template <Effects effects>
+[[gnu::always_inline]] inline void load_four_pairs(ContactBatch& c, int first, const DiscRow* discs,
+                                                   const DiscPair (&pairs)[4]) {
+  Four place[4], motion[4];
+  for (int m = 0; m < 4; ++m) {
+    const DiscRow &a = discs[pairs[m].i], &b = discs[pairs[m].j];
+    place[m] = b.place + sign_of_place * a.place;
+    motion[m] = a.motion + sign_of_motion * b.motion;
+  }
+  transpose(place[0], place[1], place[2], place[3]);
+  transpose(motion[0], motion[1], motion[2], motion[3]);
+  const auto store = [first](double* lanes, const Four& column) __attribute__((always_inline)) {
+    std::memcpy(__builtin_assume_aligned(lanes + first, 32), &column, sizeof column);
+  };
+  store(c.d_x, place[0]);
+  store(c.d_y, place[1]);
+  store(c.reach, place[2]);
+  store(c.radius_difference, place[3]);
+  store(c.w_x, motion[0]);
+  store(c.w_y, motion[1]);
+  if constexpr (effects.tangential != Tangential::none) {
+    store(c.spin, motion[2]);
+    store(c.rim_speed, motion[3]);
+  }
+}
+
 /// Places and motions of the pairs.
 template <Effects effects>
 [[gnu::always_inline]] inline void load_discs(ContactBatch& c, const DiscRow* discs, const DiscPair* pairs,
                                               int count) {
-  for (int k = 0; k < padded(count); k += 4) {
-    Four place[4], motion[4];
-    for (int m = 0; m < 4; ++m) {
-      const auto& pair = pairs[std::min(k + m, count - 1)];
-      const DiscRow &a = discs[pair.i], &b = discs[pair.j];
-      place[m] = b.place + sign_of_place * a.place;
-      motion[m] = a.motion + sign_of_motion * b.motion;
-    }
-    transpose(place[0], place[1], place[2], place[3]);
-    transpose(motion[0], motion[1], motion[2], motion[3]);
-    const auto store = [k](double* lanes, const Four& column) {
-      __builtin_memcpy(__builtin_assume_aligned(lanes + k, 32), &column, sizeof column);
-    };
-    store(c.d_x, place[0]);
-    store(c.d_y, place[1]);
-    store(c.reach, place[2]);
-    store(c.radius_difference, place[3]);
-    store(c.w_x, motion[0]);
-    store(c.w_y, motion[1]);
-    if constexpr (effects.tangential != Tangential::none) {
-      store(c.spin, motion[2]);
-      store(c.rim_speed, motion[3]);
-    }
-  }
-}
-
-/// Springs of the pairs, and whether they touched.
-[[gnu::always_inline]] inline void load_springs(ContactBatch& c, const DiscPair* pairs, const double* touched,
-                                                int count) {
-  for (int k = 0; k < count; ++k) {
-    c.xi[k] = pairs[k].history[history_xi];
-    c.slip_rate[k] = pairs[k].history[history_slip_rate];
-    c.touched[k] = touched[k];
-  }
-  for (int k = count; k < padded(count); ++k) {
-    c.xi[k] = c.xi[count - 1];
-    c.slip_rate[k] = c.slip_rate[count - 1];
-    c.touched[k] = c.touched[count - 1];
+  int k = 0;
+  for (; k + 4 <= count; k += 4)
+    load_four_pairs<effects>(c, k, discs, {pairs[k], pairs[k + 1], pairs[k + 2], pairs[k + 3]});
+  const int last = count - 1;
+  for (; k < padded(count); k += 4) {
+    load_four_pairs<effects>(
+        c, k, discs,
+        {pairs[std::min(k, last)], pairs[std::min(k + 1, last)], pairs[std::min(k + 2, last)], pairs[last]});
   }
 }
 
@@ -125,10 +120,10 @@ template <Effects effects>
       c.v_t[k] = c.w_y[k] * n_x - c.w_x[k] * n_y + rolling;
     }
   }
-  double changed = 0, undefined = 0;
+  std::int64_t changed = 0, undefined = 0;
   for (int k = 0; k < all; ++k) {
-    undefined += c.n_x[k] != c.n_x[k] ? 1.0 : 0.0;
-    if constexpr (effects.spring()) changed += (c.overlap[k] > 0 ? 1.0 : 0.0) != c.touched[k] ? 1.0 : 0.0;
+    undefined |= c.n_x[k] != c.n_x[k] ? 1 : 0;
+    if constexpr (effects.spring()) changed |= (c.overlap[k] > 0 ? 1 : 0) ^ c.touched[k];
   }
   return {changed != 0, undefined != 0};
 }
@@ -184,10 +179,10 @@ template <Effects effects>
 template <Effects effects>
 [[gnu::always_inline]] inline void add_loads(const ContactBatch& c, const DiscPair* pairs, int count,
                                              DiscLoad* loads) {
-  for (int k = 0; k < count; k += 4) {
+  const auto add_four = [&](int k, int number) __attribute__((always_inline)) {
     Four rows[4] = {};
-    const auto fetch = [k](Four& column, const double* lanes) {
-      __builtin_memcpy(&column, __builtin_assume_aligned(lanes + k, 32), sizeof column);
+    const auto fetch = [k](Four & column, const double* lanes) __attribute__((always_inline)) {
+      std::memcpy(&column, __builtin_assume_aligned(lanes + k, 32), sizeof column);
     };
     fetch(rows[0], c.f_x);
     fetch(rows[1], c.f_y);
@@ -196,19 +191,14 @@ template <Effects effects>
       fetch(rows[3], c.short_torque);
     }
     transpose(rows[0], rows[1], rows[2], rows[3]);
-    for (int m = 0; m < 4 && k + m < count; ++m) {
+    for (int m = 0; m < number; ++m) {
       loads[pairs[k + m].i].sums += rows[m];
       loads[pairs[k + m].j].sums += sign_of_load * rows[m];
     }
-  }
-}
-
-/// Keeps the springs.
-[[gnu::always_inline]] inline void store_springs(const ContactBatch& c, const DiscPair* pairs, int count) {
-  for (int k = 0; k < count; ++k) {
-    pairs[k].history[history_xi] = c.xi[k];
-    pairs[k].history[history_slip_rate] = c.slip_rate[k];
-  }
+  };
+  int k = 0;
+  for (; k + 4 <= count; k += 4) add_four(k, 4);
+  if (k < count) add_four(k, count - k);
 }
 
 }  // namespace mikromakro::physics

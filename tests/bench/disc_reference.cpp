@@ -14,7 +14,6 @@ using physics::Four;
 namespace {
 
 constexpr physics::Effects effects{physics::Tangential::spring, false};
-constexpr double near_fraction = 0.1;  // of the skin
 
 }  // namespace
 
@@ -115,14 +114,15 @@ void DiscReference::move_walls(double time) {
 }
 
 void DiscReference::update_pairs() {
-  if (2 * moved_ <= near_fraction * scene_.skin) return;
+  if (2 * moved_ <= physics::near_fraction * scene_.skin) return;
+  put_springs_away();
   if (moved_too_far()) build_pairs();
   find_near_pairs();
 }
 
 /// Whether pairs that are not in the neighbour list could meet before the next look at it.
 bool DiscReference::moved_too_far() const {
-  const double limit = (1 - near_fraction) * scene_.skin / 2;
+  const double limit = (1 - physics::near_fraction) * scene_.skin / 2;
   for (std::size_t i = 0; i < discs_.size(); ++i) {
     const double d_x = discs_[i].x() - built_at_[i].x, d_y = discs_[i].y() - built_at_[i].y;
     if (d_x * d_x + d_y * d_y > limit * limit) return true;
@@ -164,38 +164,38 @@ void DiscReference::build_pairs() {
     for (const int j : partners) {
       while (old < old_pairs.size() && std::pair(old_pairs[old].i, old_pairs[old].j) < std::pair(i, j)) ++old;
       const bool known = old < old_pairs.size() && old_pairs[old].i == i && old_pairs[old].j == j;
-      pairs_.push_back({i, j, nullptr});
-      springs_.push_back(known ? old_springs[2 * old] : 0.0);
-      springs_.push_back(known ? old_springs[2 * old + 1] : 0.0);
+      pairs_.push_back({i, j});
+      springs_.push_back(known ? old_springs[old] : Spring{});
       in_contact_.push_back(known && old_contacts[old]);
     }
   }
-  for (std::size_t k = 0; k < pairs_.size(); ++k) pairs_[k].history = &springs_[2 * k];
   built_at_.clear();
   for (const auto& d : discs_) built_at_.push_back({d.x(), d.y()});
   ++builds_;
 }
 
-/// Pairs that may touch before the discs have moved by a small part of the skin.
+/// Pairs that may touch before the discs have moved by a small part of the skin. Springs wait in springs_.
 void DiscReference::find_near_pairs() {
   moved_ = 0;
-  near_.clear(), near_index_.clear(), touched_.clear();
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const Four d = discs_[pairs_[k].j].place + physics::sign_of_place * discs_[pairs_[k].i].place;
-    const double reach = d[2] + near_fraction * scene_.skin;
-    if (d[0] * d[0] + d[1] * d[1] > reach * reach && !in_contact_[k]) continue;
-    near_.push_back(pairs_[k]);
-    near_index_.push_back(static_cast<int>(k));
-    touched_.push_back(in_contact_[k] ? 1.0 : 0.0);
+  near_.clear();
+  for (int k = 0; k < static_cast<int>(pairs_.size()); ++k) {
+    const auto& [i, j] = pairs_[k];
+    if (!in_contact_[k] && !physics::are_near(discs_[i], discs_[j], physics::near_fraction * scene_.skin))
+      continue;
+    near_.add(pairs_[k], k, in_contact_[k] != 0, springs_[k].xi, springs_[k].slip_rate);
   }
 }
 
-void DiscReference::begin_and_end_contacts(std::size_t first, int count, double dt) {
+void DiscReference::put_springs_away() {
+  for (int k = 0; k < near_.size(); ++k) springs_[near_.number(k)] = {near_.xi(k), near_.slip_rate(k)};
+}
+
+void DiscReference::begin_and_end_contacts(int first, int count, double dt) {
   for (int k = 0; k < count; ++k) {
     const bool touches = batch_.touches(k);
     if (touches == (batch_.touched[k] != 0)) continue;
-    touched_[first + k] = touches ? 1.0 : 0.0;
-    in_contact_[near_index_[first + k]] = touches;
+    near_.set_touched(first + k, touches);
+    in_contact_[near_.number(first + k)] = touches;
     physics::begin_or_end_contact(batch_, k, true, dt);
   }
 }
@@ -203,17 +203,17 @@ void DiscReference::begin_and_end_contacts(std::size_t first, int count, double 
 /// dt = 0: forces of the first instant, no spring is stretched.
 void DiscReference::evaluate_contacts(double dt) {
   auto& c = batch_;
-  for (std::size_t first = 0; first < near_.size(); first += ContactBatch::lanes) {
-    const int count = static_cast<int>(std::min<std::size_t>(ContactBatch::lanes, near_.size() - first));
-    const auto* pairs = &near_[first];
+  for (int first = 0; first < near_.size(); first += ContactBatch::lanes) {
+    const int count = std::min(ContactBatch::lanes, near_.size() - first);
+    const auto* pairs = near_.from(first);
     physics::load_discs<effects>(c, discs_.data(), pairs, count);
-    physics::load_springs(c, pairs, &touched_[first], count);
+    near_.load_springs(c, first, count);
     const auto state = physics::contact_geometry<effects>(c, count);
     physics::contact_slip(c, count, true, dt);
     if (state.any_changed) begin_and_end_contacts(first, count, dt);
     physics::contact_forces<effects>(c, count);
     physics::add_loads<effects>(c, pairs, count, loads_.data());
-    if (dt > 0) physics::store_springs(c, pairs, count);
+    if (dt > 0) near_.store_springs(c, first, count);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "disc_scene.h"
 #include "physics/contact_batch.h"
+#include "physics/near_pairs.h"
 #include "physics/ring_motion.h"
 
 namespace mikromakro::bench {
@@ -28,6 +29,9 @@ class DiscReference {
     int disc, ring;
     physics::PlaneVector reference;
   };
+  struct Spring {
+    double xi = 0, slip_rate = 0;
+  };
   struct Cells;
 
   void add(const test::Disc& disc);
@@ -37,7 +41,8 @@ class DiscReference {
   void update_pairs();
   void build_pairs();
   void find_near_pairs();
-  void begin_and_end_contacts(std::size_t first, int count, double dt);
+  void put_springs_away();
+  void begin_and_end_contacts(int first, int count, double dt);
   bool moved_too_far() const;
   physics::Four force(int i) const;
 
@@ -53,17 +58,15 @@ class DiscReference {
   std::vector<int> free_;
   std::vector<WallDisc> walls_;
 
-  // Since the neighbour list was built; springs are two numbers for each pair.
+  // Since the neighbour list was built.
   std::vector<physics::DiscPair> pairs_;
-  std::vector<double> springs_;
+  std::vector<Spring> springs_;
   std::vector<char> in_contact_;
   std::vector<physics::PlaneVector> built_at_;
   int builds_ = 0;
 
   // Since the last look at all pairs.
-  std::vector<physics::DiscPair> near_;
-  std::vector<int> near_index_;
-  std::vector<double> touched_;
+  physics::NearPairs near_;
   double moved_ = 0;
 
   physics::ContactBatch batch_{};
