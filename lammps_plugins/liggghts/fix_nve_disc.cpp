@@ -1,16 +1,22 @@
 #include "fix_nve_disc.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "pair_gran_disc.h"
+#include "processor_clones.h"
 #include "update.h"
 
 namespace mikromakro::liggghts {
 
 using namespace LAMMPS_NS;
+using physics::Four;
 
 FixNveDisc::FixNveDisc(LAMMPS* engine, int narg, char** arg) : Fix(engine, narg, arg) {
   time_integrate = 1;
@@ -33,19 +39,42 @@ FixNveDisc::~FixNveDisc() {
 }
 
 int FixNveDisc::setmask() {
-  return FixConst::INITIAL_INTEGRATE | FixConst::FINAL_INTEGRATE;
+  return FixConst::INITIAL_INTEGRATE | FixConst::PRE_EXCHANGE | FixConst::FINAL_INTEGRATE;
 }
 
 void FixNveDisc::init() {
   if (domain->dimension != 2)
     error->all(FLERR, "fix nve/disc: discs live in two dimensions; put 'dimension 2' before the box");
+  law_ = active_disc_law(*lmp);
+  packed_ = law_ ? &law_->packed_discs() : nullptr;
+  if (packed_) packed_->may_stay_open = predicted_ && may_stay_open(*lmp, *this);
+}
+
+/// The engine sorts and exchanges atoms before the first step.
+void FixNveDisc::setup_pre_exchange() {
+  members_known_ = false;
 }
 
 void FixNveDisc::initial_integrate(int /*vflag*/) {
+  if (packed_ && packed_->open) {
+    go_on();
+  } else {
+    begin_step();
+  }
+}
+
+void FixNveDisc::find_members() {
+  members_.clear();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (atom->mask[i] & groupbit) members_.push_back(i);
+  }
+  members_known_ = true;
+}
+
+void FixNveDisc::begin_step() {
   const double dt = update->dt;
-  const int nlocal = atom->nlocal;
-  for (int i = 0; i < nlocal; ++i) {
-    if (!(atom->mask[i] & groupbit)) continue;
+  find_members();
+  for (const int i : members_) {
     double *x = atom->x[i], *v = atom->v[i], *omega = atom->omega[i];
     const double kick = dt / 2 / atom->rmass[i];
     const double spin_kick = 2 * kick / (atom->radius[i] * atom->radius[i]);
@@ -57,7 +86,7 @@ void FixNveDisc::initial_integrate(int /*vflag*/) {
     x[0] += dt * v[0];
     x[1] += dt * v[1];
     if (predicted_) {
-      half_step_[i] = {v[0], v[1], omega[2]};
+      states_[i] = {Four{v[0], v[1], omega[2], 0}, Four{kick, kick, spin_kick, 0}};
       v[0] += dv_x;
       v[1] += dv_y;
       omega[2] += domega;
@@ -65,41 +94,120 @@ void FixNveDisc::initial_integrate(int /*vflag*/) {
   }
 }
 
+namespace {
+
+struct OpenStep {
+  const int* members;
+  int count;
+  double dt;
+  DiscState* states;
+  physics::DiscRow* discs;
+  physics::DiscLoad* loads;
+  double (*x)[3];
+};
+
+/// The last half-kick of the step before, the first one of this step, and the velocity predicted for its
+/// end: the arithmetic of final_integrate() and begin_step(). Returns the largest square of a velocity.
+FOR_EACH_PROCESSOR double move_discs(const OpenStep& step) {
+  const Four drift = {step.dt, step.dt, 0, 0};
+  double fastest = 0;
+  for (int k = 0; k < step.count; ++k) {
+    const int i = step.members[k];
+    auto& disc = step.discs[i];
+    auto& load = step.loads[i];
+    auto& state = step.states[i];
+    const Four dv = state.kick * Four{load.f_x(), load.f_y(), load.torque(disc.radius()), 0};
+    const Four half = state.half_step + dv + dv;
+    state.half_step = half;
+    disc.place += drift * half;
+    const Four now = half + dv;
+    disc.set_motion(now[0], now[1], now[2]);
+    load = {};
+    step.x[i][0] = disc.x();
+    step.x[i][1] = disc.y();
+    fastest = std::max(fastest, half[0] * half[0] + half[1] * half[1]);
+  }
+  return fastest;
+}
+
+}  // namespace
+
+/// As begin_step(), from rows that nobody has looked at since the forces of the last step were evaluated.
+void FixNveDisc::go_on() {
+  if (!members_known_) find_members();
+  const OpenStep step{members_.data(),
+                      static_cast<int>(members_.size()),
+                      update->dt,
+                      states_.data(),
+                      packed_->discs.data(),
+                      packed_->loads.data(),
+                      reinterpret_cast<double(*)[3]>(atom->x[0])};
+  if (step.count > 0) packed_->furthest = std::max(packed_->furthest, std::sqrt(move_discs(step)) * step.dt);
+  packed_->step = update->ntimestep;
+  if (comm->nprocs > 1 || atom->nghost > 0) put_velocities_into_engine();
+}
+
+void FixNveDisc::put_velocities_into_engine() {
+  for (const int i : members_) {
+    const auto& motion = packed_->discs[i].motion;
+    atom->v[i][0] = motion[0];
+    atom->v[i][1] = motion[1];
+    atom->omega[i][2] = motion[2];
+  }
+}
+
+/// Discs are about to change their numbers and their ranks.
+void FixNveDisc::pre_exchange() {
+  if (packed_ && packed_->step == update->ntimestep) put_velocities_into_engine();
+  members_known_ = false;
+}
+
 void FixNveDisc::final_integrate() {
+  if (packed_ && packed_->open) return;
+  end_step();
+}
+
+void FixNveDisc::end_step() {
   const double dt = update->dt;
-  const int nlocal = atom->nlocal;
-  for (int i = 0; i < nlocal; ++i) {
+  for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     double *v = atom->v[i], *omega = atom->omega[i];
     const double kick = dt / 2 / atom->rmass[i];
     const double spin_kick = 2 * kick / (atom->radius[i] * atom->radius[i]);
-    const HalfStep half = predicted_ ? half_step_[i] : HalfStep{v[0], v[1], omega[2]};
-    v[0] = half.v_x + kick * atom->f[i][0];
-    v[1] = half.v_y + kick * atom->f[i][1];
-    omega[2] = half.omega + spin_kick * atom->torque[i][2];
+    const Four half = predicted_ ? states_[i].half_step : Four{v[0], v[1], omega[2], 0};
+    v[0] = half[0] + kick * atom->f[i][0];
+    v[1] = half[1] + kick * atom->f[i][1];
+    omega[2] = half[2] + spin_kick * atom->torque[i][2];
   }
 }
 
+/// A signal may have ended the run in a step of which nobody knew that it would be the last.
+void FixNveDisc::post_run() {
+  if (!packed_ || !packed_->open) return;
+  law_->close();
+  end_step();
+}
+
 void FixNveDisc::grow_arrays(int nmax) {
-  half_step_.resize(nmax);
+  states_.resize(nmax);
 }
 
 void FixNveDisc::copy_arrays(int from, int to, int /*delflag*/) {
-  half_step_[to] = half_step_[from];
+  states_[to] = states_[from];
 }
 
 int FixNveDisc::pack_exchange(int i, double* buffer) {
-  std::memcpy(buffer, &half_step_[i], sizeof(HalfStep));
-  return 3;
+  std::memcpy(buffer, &states_[i], sizeof(DiscState));
+  return sizeof(DiscState) / sizeof(double);
 }
 
 int FixNveDisc::unpack_exchange(int i, double* buffer) {
-  std::memcpy(&half_step_[i], buffer, sizeof(HalfStep));
-  return 3;
+  std::memcpy(&states_[i], buffer, sizeof(DiscState));
+  return sizeof(DiscState) / sizeof(double);
 }
 
 double FixNveDisc::memory_usage() {
-  return static_cast<double>(half_step_.size() * sizeof(HalfStep));
+  return static_cast<double>(states_.size() * sizeof(DiscState));
 }
 
 }  // namespace mikromakro::liggghts

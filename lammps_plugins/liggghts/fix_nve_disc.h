@@ -5,8 +5,18 @@
 #include <vector>
 
 #include "fix.h"
+#include "physics/disc_rows.h"
 
 namespace mikromakro::liggghts {
+
+class PairGranDisc;
+struct PackedDiscs;
+
+/// What the fix keeps of each owned disc between the two half-kicks, and between the steps of an open state.
+struct DiscState {
+  physics::Four half_step;  // v_x, v_y [m/s], spin [1/s]
+  physics::Four kick;       // dt / 2m (twice), dt / 2I: what turns forces and torque into the half-kick
+};
 
 /// fix ID group nve/disc [velocity predicted | half_step]
 ///
@@ -15,6 +25,9 @@ namespace mikromakro::liggghts {
 /// v(t) + dt f(t)/m, which differs from the final velocity by O(dt^2), and the half-kicked velocity waits in
 /// this fix. `velocity half_step` is what the stock integrators do: the dashpot then sees v(t + dt/2), an
 /// error of order gamma dt / 2m.
+///
+/// Where nobody looks at a disc between two steps, this fix does the final half-kick of a step together with
+/// the first one of the next (packed_discs.h): the same arithmetic, and the same bits.
 class FixNveDisc : public LAMMPS_NS::Fix {
  public:
   FixNveDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
@@ -26,8 +39,11 @@ class FixNveDisc : public LAMMPS_NS::Fix {
 
   int setmask() override;
   void init() override;
+  void setup_pre_exchange() override;
   void initial_integrate(int vflag) override;
+  void pre_exchange() override;
   void final_integrate() override;
+  void post_run() override;
 
   void grow_arrays(int nmax) override;
   void copy_arrays(int from, int to, int delflag) override;
@@ -36,11 +52,18 @@ class FixNveDisc : public LAMMPS_NS::Fix {
   double memory_usage() override;
 
  private:
-  struct HalfStep {
-    double v_x, v_y, omega;
-  };
+  void find_members();
+  void begin_step();
+  void go_on();
+  void end_step();
+  void put_velocities_into_engine();
+
   bool predicted_ = true;
-  std::vector<HalfStep> half_step_;  // of each owned atom, between the two half-kicks
+  PairGranDisc* law_ = nullptr;
+  PackedDiscs* packed_ = nullptr;
+  std::vector<DiscState> states_;  // of each owned atom
+  std::vector<int> members_;       // local numbers of the discs of the group
+  bool members_known_ = false;
 };
 
 }  // namespace mikromakro::liggghts

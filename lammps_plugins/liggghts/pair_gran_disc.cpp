@@ -134,6 +134,9 @@ void PairGranDisc::init_granular() {
   run_started_ = false;
   predicted_ = integrators_predict_velocities(*modify);
   schedule_.look_up(*lmp);
+  readers_.look_up(*lmp);
+  packed_.may_stay_open = packed_.open = false;
+  packed_.step = -1;
   recorded_step_ = -1;
 }
 

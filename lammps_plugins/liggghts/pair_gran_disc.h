@@ -12,6 +12,7 @@
 
 #include "contact_rows.h"
 #include "granular_pair_style.h"
+#include "packed_discs.h"
 #include "physics/contact_batch.h"
 #include "physics/contact_law.h"
 #include "physics/near_pairs.h"
@@ -58,6 +59,11 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   const physics::ContactParameters& parameters(int type_1, int type_2) const;
   bool velocities_predicted() const { return predicted_; }
 
+  /// Shared with the fixes that move discs.
+  PackedDiscs& packed_discs() { return packed_; }
+  /// Puts the loads that wait in the rows into the engine's forces and torques.
+  void close();
+
  private:
   using Loop = void (PairGranDisc::*)(LAMMPS_NS::PairGran&, bool addflag);
 
@@ -75,8 +81,7 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   void choose_among(std::integer_sequence<int, numbers...> combinations);
   template <physics::Effects effects>
   void use_loops_of();
-  void gather();
-  void scatter();
+  void gather(int first);
   template <physics::Effects effects>
   void flatten(LAMMPS_NS::PairGran& pair);
   template <physics::Effects effects>
@@ -96,9 +101,8 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   double impact_velocity_ = 0;  // [m/s] to be expected, for the time step; 0: not given
   bool run_started_ = false;
   std::vector<physics::ContactParameters> parameters_;  // of type i and type j at (i - 1) * types + j - 1
-  // Of this step: owned and ghost discs, the loads on them.
-  std::vector<physics::DiscRow> discs_;
-  std::vector<physics::DiscLoad> loads_;
+  PackedDiscs packed_;
+  EndOfStepReaders readers_;
   std::unique_ptr<physics::ContactBatch> batch_ = std::make_unique<physics::ContactBatch>();
   // Since the neighbour list was built: its pairs, the first of each disc, and for laws with a spring the
   // engine's flags and histories of contacts, and which pairs touched in the last step.

@@ -13,15 +13,8 @@
 #include "pair_gran_disc.h"
 #include "physics/contact_batch.h"
 #include "physics/near_pairs.h"
+#include "processor_clones.h"
 #include "update.h"
-
-// Compiled for AVX2 and for any x86-64; the processor decides. Without fused multiply-add, so that both give
-// the same. Clang does not clone templates.
-#ifdef __clang__
-#define FOR_EACH_PROCESSOR __attribute__((flatten))
-#else
-#define FOR_EACH_PROCESSOR __attribute__((flatten, target_clones("arch=x86-64-v4", "avx2", "default")))
-#endif
 
 namespace mikromakro::liggghts {
 
@@ -82,36 +75,40 @@ void PairGranDisc::stop_at_coincident_centres(const ContactBatch& c, const DiscP
   std::abort();
 }
 
-/// Rows of all discs, owned or ghost, from the engine's arrays, which would cost a cache line each for every
-/// neighbour. Notes how far any disc has moved.
-void PairGranDisc::gather() {
+/// Rows of the discs, owned or ghost, from number `first` on, from the engine's arrays, which would cost a
+/// cache line each for every neighbour. Notes how far any of them has moved.
+void PairGranDisc::gather(int first) {
   const int count = atom->nlocal + atom->nghost;
-  discs_.resize(count);
-  loads_.resize(count);
+  auto& discs = packed_.discs;
+  discs.resize(count);
+  packed_.loads.resize(count);
   const auto* x = reinterpret_cast<const Vector3*>(atom->x[0]);
   const auto* v = reinterpret_cast<const Vector3*>(atom->v[0]);
   const auto* omega = reinterpret_cast<const Vector3*>(atom->omega[0]);
   double furthest = 0;
-  for (int i = 0; i < count; ++i) {
-    const double d_x = x[i][0] - discs_[i].x(), d_y = x[i][1] - discs_[i].y();
+  for (int i = first; i < count; ++i) {
+    const double d_x = x[i][0] - discs[i].x(), d_y = x[i][1] - discs[i].y();
     furthest = std::max(furthest, d_x * d_x + d_y * d_y);
-    discs_[i] = DiscRow::of(x[i][0], x[i][1], atom->radius[i]);
-    discs_[i].set_motion(v[i][0], v[i][1], omega[i][2]);
+    discs[i] = DiscRow::of(x[i][0], x[i][1], atom->radius[i]);
+    discs[i].set_motion(v[i][0], v[i][1], omega[i][2]);
   }
-  moved_ += std::sqrt(furthest);
+  moved_ += std::max(std::sqrt(furthest), first > 0 ? packed_.furthest : 0.0);
+  packed_.furthest = 0;
 }
 
 /// Adds the loads of the owned discs to the engine's forces and torques, and leaves none for the next step.
-void PairGranDisc::scatter() {
+void PairGranDisc::close() {
   auto* f = reinterpret_cast<Vector3*>(atom->f[0]);
   auto* torque = reinterpret_cast<Vector3*>(atom->torque[0]);
   const int nlocal = atom->nlocal;
   for (int i = 0; i < nlocal; ++i) {
-    f[i][0] += loads_[i].f_x();
-    f[i][1] += loads_[i].f_y();
-    torque[i][2] += loads_[i].torque(discs_[i].radius());
+    f[i][0] += packed_.loads[i].f_x();
+    f[i][1] += packed_.loads[i].f_y();
+    torque[i][2] += packed_.loads[i].torque(packed_.discs[i].radius());
   }
-  std::fill(loads_.begin(), loads_.end(), DiscLoad{});
+  std::fill(packed_.loads.begin(), packed_.loads.end(), DiscLoad{});
+  packed_.open = false;
+  packed_.step = -1;
 }
 
 /// Copies the engine's neighbour list, which it has just built, into one flat list of pairs.
@@ -145,7 +142,7 @@ void PairGranDisc::find_near_pairs() {
   for (int number = 0; number < static_cast<int>(pairs_.size()); ++number) {
     const auto& pair = pairs_[number];
     const bool touched = in_contact_[number] != 0;
-    if (!touched && !physics::are_near(discs_[pair.i], discs_[pair.j], near_gap_)) continue;
+    if (!touched && !physics::are_near(packed_.discs[pair.i], packed_.discs[pair.j], near_gap_)) continue;
     if constexpr (effects.spring()) {
       const double* history = histories_[number];
       near_.add(pair, number, touched, history[history_xi], history[history_slip_rate]);
@@ -181,7 +178,8 @@ void PairGranDisc::store_springs(const ContactBatch& c, int first, int count) {
 
 template <Effects effects, bool observed>
 void PairGranDisc::loop(PairGran& pair, bool addflag) {
-  gather();
+  const bool rows_are_there = packed_.step == update->ntimestep && neighbor->ago != 0;
+  gather(rows_are_there ? atom->nlocal : 0);
   const bool new_pairs = neighbor->ago == 0 || pairs_.empty();
   if (new_pairs) flatten<effects>(pair);
   if (new_pairs || 2 * moved_ > near_gap_) find_near_pairs<effects>();
@@ -192,7 +190,8 @@ void PairGranDisc::loop(PairGran& pair, bool addflag) {
 
   for (int first = 0; first < near_.size(); first += ContactBatch::lanes) {
     const int count = std::min(ContactBatch::lanes, near_.size() - first);
-    const BatchOfPairs batch{discs_.data(), loads_.data(), near_.from(first), count, predicted_, dt};
+    const BatchOfPairs batch{
+        packed_.discs.data(), packed_.loads.data(), near_.from(first), count, predicted_, dt};
     if (!one_material_) set_materials(c, batch.pairs, count);
     if (effects.spring()) near_.load_springs(c, first, count);
     const auto state = batch_geometry<effects>(c, batch);
@@ -206,10 +205,14 @@ void PairGranDisc::loop(PairGran& pair, bool addflag) {
       }
     }
   }
-  if (pair.computeflag()) {
-    scatter();
+  if (!pair.computeflag()) {
+    std::fill(packed_.loads.begin(), packed_.loads.end(), DiscLoad{});
+  } else if (packed_.may_stay_open && !readers_.any_at_present_step(*lmp)) {
+    std::fill(packed_.loads.begin() + atom->nlocal, packed_.loads.end(),
+              DiscLoad{});  // ghosts' own ranks know
+    packed_.open = true;
   } else {
-    std::fill(loads_.begin(), loads_.end(), DiscLoad{});
+    close();
   }
 }
 
@@ -238,7 +241,7 @@ void PairGranDisc::observe(PairGran& pair, const ContactBatch& c, int k, int fir
     data.contact_history = effects_.spring() ? histories_[near_.number(first + k)] : nullptr;
     force_on_i.delta_F[0] = c.f_x[k];
     force_on_i.delta_F[1] = c.f_y[k];
-    force_on_i.delta_torque[2] = discs_[i].radius() * c.f_t[k] - c.short_torque[k];
+    force_on_i.delta_torque[2] = packed_.discs[i].radius() * c.f_t[k] - c.short_torque[k];
     pair.cpl_add_pair(data, force_on_i);
   }
   if (pair.evflag) {
