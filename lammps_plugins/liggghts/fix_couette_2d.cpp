@@ -82,9 +82,8 @@ void FixCouette2d::setup_pre_exchange() {
   members_known_ = false;
 }
 
-// Wall discs are about to change their numbers and ranks; rows may have moved on alone.
+// Wall discs are about to change their numbers and ranks.
 void FixCouette2d::pre_exchange() {
-  if (packed_ && packed_->step == update->ntimestep) place_wall_discs(update->ntimestep, true);
   members_known_ = false;
 }
 

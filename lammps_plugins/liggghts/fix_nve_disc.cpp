@@ -5,10 +5,13 @@
 #include <cstring>
 #include <string>
 
+#include <mpi.h>
+
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "neighbor.h"
 #include "pair_gran_disc.h"
 #include "processor_clones.h"
 #include "update.h"
@@ -39,7 +42,8 @@ FixNveDisc::~FixNveDisc() {
 }
 
 int FixNveDisc::setmask() {
-  return FixConst::INITIAL_INTEGRATE | FixConst::PRE_EXCHANGE | FixConst::FINAL_INTEGRATE;
+  return FixConst::INITIAL_INTEGRATE | FixConst::POST_INTEGRATE | FixConst::PRE_EXCHANGE |
+         FixConst::FINAL_INTEGRATE;
 }
 
 void FixNveDisc::init() {
@@ -47,7 +51,8 @@ void FixNveDisc::init() {
     error->all(FLERR, "fix nve/disc: discs live in two dimensions; put 'dimension 2' before the box");
   law_ = active_disc_law(*lmp);
   packed_ = law_ ? &law_->packed_discs() : nullptr;
-  if (packed_) packed_->may_stay_open = predicted_ && may_stay_open(*lmp, *this);
+  if (!packed_) return;
+  packed_->may_stay_open = predicted_ && may_stay_open(*lmp, *this);
 }
 
 /// The engine sorts and exchanges atoms before the first step.
@@ -156,9 +161,24 @@ void FixNveDisc::put_velocities_into_engine() {
   }
 }
 
+/// All discs have moved, and the engine is about to ask whether new neighbour lists are needed. Where they
+/// cannot be, its search through all discs is spared; where they may be, the springs have to be in its
+/// arrays, which it is going to read before any other fix is called.
+void FixNveDisc::post_integrate() {
+  if (!packed_ || !packed_->open) return;
+  int doubt = law_->neighbours_suffice() ? 0 : 1;
+  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &doubt, 1, MPI_INT, MPI_MAX, world);
+  if (doubt || build_is_due(*lmp)) {
+    law_->put_springs_into_engine();
+  } else if (!neighbor->build_once) {
+    neighbor->build_once = 1;
+    packed_->check_is_off = true;
+  }
+}
+
 /// Discs are about to change their numbers and their ranks.
 void FixNveDisc::pre_exchange() {
-  if (packed_ && packed_->step == update->ntimestep) put_velocities_into_engine();
+  if (packed_ && packed_->step == update->ntimestep) law_->put_velocities_into_engine();
   members_known_ = false;
 }
 

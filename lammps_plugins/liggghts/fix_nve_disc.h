@@ -41,6 +41,7 @@ class FixNveDisc : public LAMMPS_NS::Fix {
   void init() override;
   void setup_pre_exchange() override;
   void initial_integrate(int vflag) override;
+  void post_integrate() override;
   void pre_exchange() override;
   void final_integrate() override;
   void post_run() override;

@@ -40,6 +40,15 @@ bool may_stay_open(LAMMPS& engine, const Fix& integrator) {
   return true;
 }
 
+bool build_is_due(LAMMPS& engine) {
+  const bigint step = engine.update->ntimestep;
+  if (engine.output->restart_requested(step) || !engine.neighbor->dist_check) return true;
+  const Modify& modify = *engine.modify;
+  return std::any_of(modify.fix, modify.fix + modify.nfix, [step](const Fix* fix) {
+    return fix->force_reneighbor && fix->next_reneighbor == step;
+  });
+}
+
 void EndOfStepReaders::look_up(LAMMPS& engine) {
   const Modify& modify = *engine.modify;
   intervals_.clear();

@@ -26,12 +26,16 @@ struct PackedDiscs {
   bool open = false;                     // the loads of the last step are here and not in the engine
   LAMMPS_NS::bigint step = -1;           // in which rows of owned discs were written by those who move them
   double furthest = 0;                   // how far they moved a disc in that step at most [m]
+  bool check_is_off = false;             // the engine's search for discs that left the skin, in this step
 };
 
 /// Whether nothing but the pair style, fix nve/disc (the integrator) and fix couette/2d needs discs within a
 /// step, so that the state may stay open. Other fixes and computes that only look at the end of certain steps
 /// do no harm.
 bool may_stay_open(LAMMPS_NS::LAMMPS& engine, const LAMMPS_NS::Fix& integrator);
+
+/// Whether the engine is going to build its neighbour lists in this step, however far discs have moved.
+bool build_is_due(LAMMPS_NS::LAMMPS& engine);
 
 /// Tells the steps at the end of which somebody looks at velocities or forces.
 class EndOfStepReaders {

@@ -12,6 +12,7 @@
 #include "fix_nve_disc.h"
 #include "force.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "output.h"
 #include "time_step_check.h"
 #include "update.h"
@@ -217,6 +218,8 @@ void PairGranDisc::compute_force(PairGran* pair, int eflag, int vflag, int addfl
     pair->evflag = pair->vflag_fdotr = 0;
   }
   if (!run_started_) start_run(*pair->list);
+  if (packed_.check_is_off) neighbor->build_once = 0;
+  packed_.check_is_off = false;
   recording_ = pair->computeflag() && schedule_.due(*update, *output);
   if (recording_) applied_.clear();
   if (atom->nlocal > 0) {

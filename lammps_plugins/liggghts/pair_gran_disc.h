@@ -16,6 +16,7 @@
 #include "physics/contact_batch.h"
 #include "physics/contact_law.h"
 #include "physics/near_pairs.h"
+#include "physics/plane_vector.h"
 #include "pointers.h"
 
 namespace mikromakro::liggghts {
@@ -61,8 +62,12 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
 
   /// Shared with the fixes that move discs.
   PackedDiscs& packed_discs() { return packed_; }
-  /// Puts the loads that wait in the rows into the engine's forces and torques.
+  /// Puts what waits here into the engine's arrays: loads, velocities of the rows, springs.
   void close();
+  void put_velocities_into_engine();
+  void put_springs_into_engine();
+  /// Whether no disc can have left its half of the neighbour list's skin, in a step for which rows are there.
+  bool neighbours_suffice();
 
  private:
   using Loop = void (PairGranDisc::*)(LAMMPS_NS::PairGran&, bool addflag);
@@ -84,11 +89,11 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   void gather(int first);
   template <physics::Effects effects>
   void flatten(LAMMPS_NS::PairGran& pair);
+  void remember_places();
   template <physics::Effects effects>
   void find_near_pairs();
   void set_materials(physics::ContactBatch& batch, const physics::DiscPair* pairs, int count) const;
   void begin_and_end_contacts(physics::ContactBatch& batch, int first, int count, double dt);
-  void store_springs(const physics::ContactBatch& batch, int first, int count);
   void observe(LAMMPS_NS::PairGran& pair, const physics::ContactBatch& batch, int lane, int first,
                bool addflag);
   [[noreturn]] void stop_at_coincident_centres(const physics::ContactBatch& batch,
@@ -114,6 +119,10 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   // Since the last look at all pairs: those that may touch, and how far any disc has moved at most [m].
   physics::NearPairs near_;
   double near_gap_ = 0, moved_ = 0;
+  // Since the neighbour list was built: where owned discs were then, how far any has moved at most [m].
+  std::vector<physics::PlaneVector> built_at_;
+  double path_ = 0;
+  bool springs_wait_ = false;  // the engine's histories are behind
   bool one_material_ = false;  // all pairs of types have the same constants
   Loop plain_loop_ = nullptr;
   Loop observed_loop_ = nullptr;

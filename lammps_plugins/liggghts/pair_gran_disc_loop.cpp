@@ -92,12 +92,59 @@ void PairGranDisc::gather(int first) {
     discs[i] = DiscRow::of(x[i][0], x[i][1], atom->radius[i]);
     discs[i].set_motion(v[i][0], v[i][1], omega[i][2]);
   }
-  moved_ += std::max(std::sqrt(furthest), first > 0 ? packed_.furthest : 0.0);
+  const double moved = std::max(std::sqrt(furthest), first > 0 ? packed_.furthest : 0.0);
+  moved_ += moved;
+  path_ += moved;
   packed_.furthest = 0;
+}
+
+namespace {
+
+/// The largest square of the distance that any of the first discs has moved from where it was.
+FOR_EACH_PROCESSOR double furthest_squared(const DiscRow* discs,
+                                           const std::vector<physics::PlaneVector>& from) {
+  double furthest = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double d_x = discs[i].x() - from[i].x, d_y = discs[i].y() - from[i].y;
+    furthest = std::max(furthest, d_x * d_x + d_y * d_y);
+  }
+  return furthest;
+}
+
+}  // namespace
+
+bool PairGranDisc::neighbours_suffice() {
+  const double trigger = neighbor->skin / 2 * (1 - 1e-6);  // more than any rounding
+  if (path_ + packed_.furthest < trigger) return true;
+  if (path_ >= 2 * trigger) return false;  // looked at before, and found close to the trigger
+  const double now = std::sqrt(furthest_squared(packed_.discs.data(), built_at_));
+  path_ = now < 0.9 * trigger ? now - packed_.furthest : 2 * trigger;
+  return now < 0.9 * trigger;
+}
+
+void PairGranDisc::put_velocities_into_engine() {
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const auto& motion = packed_.discs[i].motion;
+    atom->v[i][0] = motion[0];
+    atom->v[i][1] = motion[1];
+    atom->omega[i][2] = motion[2];
+  }
+}
+
+void PairGranDisc::put_springs_into_engine() {
+  if (!springs_wait_) return;
+  for (int k = 0; k < near_.size(); ++k) {
+    double* history = histories_[near_.number(k)];
+    history[history_xi] = near_.xi(k);
+    history[history_slip_rate] = near_.slip_rate(k);
+  }
+  springs_wait_ = false;
 }
 
 /// Adds the loads of the owned discs to the engine's forces and torques, and leaves none for the next step.
 void PairGranDisc::close() {
+  if (packed_.step == update->ntimestep) put_velocities_into_engine();
+  put_springs_into_engine();
   auto* f = reinterpret_cast<Vector3*>(atom->f[0]);
   auto* torque = reinterpret_cast<Vector3*>(atom->torque[0]);
   const int nlocal = atom->nlocal;
@@ -166,14 +213,10 @@ void PairGranDisc::begin_and_end_contacts(ContactBatch& c, int first, int count,
   }
 }
 
-/// Keeps the springs, here and where the engine looks for them.
-void PairGranDisc::store_springs(const ContactBatch& c, int first, int count) {
-  near_.store_springs(c, first, count);
-  for (int k = 0; k < count; ++k) {
-    double* history = histories_[near_.number(first + k)];
-    history[history_xi] = c.xi[k];
-    history[history_slip_rate] = c.slip_rate[k];
-  }
+void PairGranDisc::remember_places() {
+  path_ = 0;
+  built_at_.clear();
+  for (int i = 0; i < atom->nlocal; ++i) built_at_.push_back({packed_.discs[i].x(), packed_.discs[i].y()});
 }
 
 template <Effects effects, bool observed>
@@ -181,8 +224,14 @@ void PairGranDisc::loop(PairGran& pair, bool addflag) {
   const bool rows_are_there = packed_.step == update->ntimestep && neighbor->ago != 0;
   gather(rows_are_there ? atom->nlocal : 0);
   const bool new_pairs = neighbor->ago == 0 || pairs_.empty();
-  if (new_pairs) flatten<effects>(pair);
-  if (new_pairs || 2 * moved_ > near_gap_) find_near_pairs<effects>();
+  if (new_pairs) {
+    flatten<effects>(pair);
+    remember_places();
+  }
+  if (new_pairs || 2 * moved_ > near_gap_) {
+    put_springs_into_engine();
+    find_near_pairs<effects>();
+  }
   const bool move_spring = pair.computeflag() && pair.shearupdate();
   const double dt = move_spring ? update->dt : 0.0;
   ContactBatch& c = *batch_;
@@ -198,13 +247,15 @@ void PairGranDisc::loop(PairGran& pair, bool addflag) {
     if (state.any_undefined) stop_at_coincident_centres(c, batch.pairs);
     if (state.any_changed) begin_and_end_contacts(c, first, count, dt);
     batch_forces<effects>(c, batch);
-    if (effects.spring() && move_spring) store_springs(c, first, count);
+    if (effects.spring() && move_spring) near_.store_springs(c, first, count);
     if constexpr (observed) {
       for (int k = 0; k < count; ++k) {
         if (c.touches(k)) observe(pair, c, k, first, addflag);
       }
     }
   }
+  springs_wait_ = springs_wait_ || (effects.spring() && move_spring);
+  if (!packed_.may_stay_open) put_springs_into_engine();
   if (!pair.computeflag()) {
     std::fill(packed_.loads.begin(), packed_.loads.end(), DiscLoad{});
   } else if (packed_.may_stay_open && !readers_.any_at_present_step(*lmp)) {
