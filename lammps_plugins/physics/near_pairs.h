@@ -12,7 +12,7 @@ namespace mikromakro::physics {
 
 /// A pair that was further apart than this fraction of the skin is not looked at again before two discs may
 /// have come closer by as much. Results do not depend on it.
-inline constexpr double near_fraction = 0.1;
+inline constexpr double near_fraction = 0.05;
 
 class NearPairs {
  public:
