@@ -1,5 +1,6 @@
 #include "pair_gran_disc.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -211,6 +212,21 @@ const std::vector<AppliedContact>* PairGranDisc::applied_contacts() const {
   return recorded_step_ == update->ntimestep ? &applied_ : nullptr;
 }
 
+std::size_t PairGranDisc::bytes_of_pairs() const {
+  return pairs_.size() * sizeof(physics::DiscPair) + histories_.size() * sizeof(double*) +
+         in_contact_.size() + near_.bytes() + applied_.capacity() * sizeof(AppliedContact);
+}
+
+std::size_t PairGranDisc::bytes_in_engine() const {
+  return histories_.size() * (2 * sizeof(double) + sizeof(int));
+}
+
+std::size_t PairGranDisc::contacts() const {
+  return std::count_if(pairs_.begin(), pairs_.end(), [this](const physics::DiscPair& pair) {
+    return physics::are_near(packed_.discs[pair.i], packed_.discs[pair.j], 0);
+  });
+}
+
 void PairGranDisc::compute_force(PairGran* pair, int eflag, int vflag, int addflag) {
   if (eflag || vflag) {
     pair->ev_setup(eflag, vflag);
@@ -220,6 +236,8 @@ void PairGranDisc::compute_force(PairGran* pair, int eflag, int vflag, int addfl
   if (!run_started_) start_run(*pair->list);
   if (packed_.check_is_off) neighbor->build_once = 0;
   packed_.check_is_off = false;
+  // The same on all ranks, with discs or without.
+  packed_.open = pair->computeflag() && packed_.may_stay_open && !readers_.any_at_present_step(*lmp);
   recording_ = pair->computeflag() && schedule_.due(*update, *output);
   if (recording_) applied_.clear();
   if (atom->nlocal > 0) {

@@ -55,6 +55,11 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   /// The contacts of the force evaluation of this step; nullptr where the step was not recorded.
   const std::vector<AppliedContact>* applied_contacts() const;
   physics::Effects effects() const { return effects_; }
+  /// What the law itself holds of pairs and contacts at present, and the engine in its lists of springs.
+  std::size_t bytes_of_pairs() const;
+  std::size_t bytes_in_engine() const;
+  /// Pairs of this rank that touch at present.
+  std::size_t contacts() const;
   /// For walls, which act under the same law: constants of two types (from 1 on), and whether the atoms carry
   /// velocities that were predicted for the instant of their positions. Valid from the start of a run.
   const physics::ContactParameters& parameters(int type_1, int type_2) const;

@@ -114,6 +114,7 @@ FOR_EACH_PROCESSOR double furthest_squared(const DiscRow* discs,
 }  // namespace
 
 bool PairGranDisc::neighbours_suffice() {
+  if (atom->nlocal == 0) return true;
   const double trigger = neighbor->skin / 2 * (1 - 1e-6);  // more than any rounding
   if (path_ + packed_.furthest < trigger) return true;
   if (path_ >= 2 * trigger) return false;  // looked at before, and found close to the trigger
@@ -173,9 +174,10 @@ void PairGranDisc::flatten(PairGran& pair) {
     first_pair_[i] = static_cast<int>(pairs_.size());
     for (int jj = 0; jj < list.numneigh[i]; ++jj) {
       pairs_.push_back({i, list.firstneigh[i][jj] & NEIGHMASK});
-      if constexpr (effects.spring())
+      if constexpr (effects.spring()) {
         histories_.push_back(pair.listgranhistory->firstdouble[i] + history_size * jj);
-      in_contact_.push_back(effects.spring() && flags_[i][jj] != 0);
+        in_contact_.push_back(flags_[i][jj] != 0);
+      }
     }
   }
 }
@@ -188,13 +190,12 @@ void PairGranDisc::find_near_pairs() {
   near_.clear();
   for (int number = 0; number < static_cast<int>(pairs_.size()); ++number) {
     const auto& pair = pairs_[number];
-    const bool touched = in_contact_[number] != 0;
+    const bool touched = effects.spring() && in_contact_[number] != 0;
     if (!touched && !physics::are_near(packed_.discs[pair.i], packed_.discs[pair.j], near_gap_)) continue;
+    near_.add(pair, number);
     if constexpr (effects.spring()) {
       const double* history = histories_[number];
-      near_.add(pair, number, touched, history[history_xi], history[history_slip_rate]);
-    } else {
-      near_.add(pair, number, touched, 0, 0);
+      near_.add_spring(touched, history[history_xi], history[history_slip_rate]);
     }
   }
 }
@@ -258,10 +259,9 @@ void PairGranDisc::loop(PairGran& pair, bool addflag) {
   if (!packed_.may_stay_open) put_springs_into_engine();
   if (!pair.computeflag()) {
     std::fill(packed_.loads.begin(), packed_.loads.end(), DiscLoad{});
-  } else if (packed_.may_stay_open && !readers_.any_at_present_step(*lmp)) {
-    std::fill(packed_.loads.begin() + atom->nlocal, packed_.loads.end(),
-              DiscLoad{});  // ghosts' own ranks know
-    packed_.open = true;
+  } else if (packed_.open) {
+    // Loads of ghosts are known to their own ranks.
+    std::fill(packed_.loads.begin() + atom->nlocal, packed_.loads.end(), DiscLoad{});
   } else {
     close();
   }

@@ -2,6 +2,7 @@
 // with their springs: what a pair loop goes through in every step.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -23,10 +24,13 @@ class NearPairs {
     slip_rate_.clear();
     touched_.clear();
   }
-  /// `number` tells the pair among all; the spring is that of a pair that touched.
-  void add(DiscPair pair, int number, bool touched, double xi, double slip_rate) {
+  /// `number` tells the pair among all.
+  void add(DiscPair pair, int number) {
     pairs_.push_back(pair);
     numbers_.push_back(number);
+  }
+  /// Of the pair that was added last, for laws with a spring.
+  void add_spring(bool touched, double xi, double slip_rate) {
     xi_.push_back(xi);
     slip_rate_.push_back(slip_rate);
     touched_.push_back(touched ? 1 : 0);
@@ -37,7 +41,6 @@ class NearPairs {
   int number(int k) const { return numbers_[k]; }
   double xi(int k) const { return xi_[k]; }
   double slip_rate(int k) const { return slip_rate_[k]; }
-  bool touched(int k) const { return touched_[k] != 0; }
   void set_touched(int k, bool touched) { touched_[k] = touched ? 1 : 0; }
 
   /// Springs of `count` pairs from `first` on to the lanes and back.
@@ -53,6 +56,11 @@ class NearPairs {
   void store_springs(const ContactBatch& c, int first, int count) {
     std::memcpy(&xi_[first], c.xi, count * sizeof(double));
     std::memcpy(&slip_rate_[first], c.slip_rate, count * sizeof(double));
+  }
+
+  std::size_t bytes() const {
+    return pairs_.size() * (sizeof(DiscPair) + sizeof(int)) +
+           xi_.size() * (2 * sizeof(double) + sizeof(std::int64_t));
   }
 
  private:

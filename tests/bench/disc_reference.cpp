@@ -182,7 +182,8 @@ void DiscReference::find_near_pairs() {
     const auto& [i, j] = pairs_[k];
     if (!in_contact_[k] && !physics::are_near(discs_[i], discs_[j], physics::near_fraction * scene_.skin))
       continue;
-    near_.add(pairs_[k], k, in_contact_[k] != 0, springs_[k].xi, springs_[k].slip_rate);
+    near_.add(pairs_[k], k);
+    near_.add_spring(in_contact_[k] != 0, springs_[k].xi, springs_[k].slip_rate);
   }
 }
 

@@ -135,7 +135,7 @@ DiscScene run_a() {
 }
 
 DiscScene large_cell(int free_discs) {
-  constexpr double loose = 0.808, dense = 0.812;
+  constexpr double loose = 0.818, dense = 0.824;
   const double scale = std::sqrt(free_discs / 2911.0);
   double side = 0;
   const auto packing = periodic_packing(loose, side);
