@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "atom.h"
-#include "comm.h"
 #include "domain.h"
 #include "memory.h"
 #include "pair_gran_disc.h"
@@ -164,7 +163,6 @@ void FixCouette2d::find_members() {
 void FixCouette2d::carry_rows(LAMMPS_NS::bigint step) {
   if (!members_known_) find_members();
   const Rings rings = rings_at(step);
-  const bool has_ghosts = comm->nprocs > 1 || atom->nghost > 0;
   for (int side = 0; side < 2; ++side) {
     const auto& ring = rings[side];
     for (const int i : members_[side]) packed_->loads[i] = {};
@@ -174,13 +172,8 @@ void FixCouette2d::carry_rows(LAMMPS_NS::bigint step) {
       const physics::WallDiscState disc =
           physics::wall_disc_state(ring, {references_[i][0], references_[i][1]});
       auto& row = packed_->discs[i];
-      atom->x[i][0] = settings_.centre.x + disc.position.x;
-      atom->x[i][1] = settings_.centre.y + disc.position.y;
-      row.move_to(atom->x[i][0], atom->x[i][1]);
+      row.move_to(settings_.centre.x + disc.position.x, settings_.centre.y + disc.position.y);
       row.set_motion(disc.velocity.x, disc.velocity.y, ring.rotation_rate);
-      if (!has_ghosts) continue;
-      atom->v[i][0] = disc.velocity.x;
-      atom->v[i][1] = disc.velocity.y;
     }
     const double before = settings_.rings[side].motion.course.radius(clock_.time_at(step - 1));
     const double turned = std::abs(ring.rotation_rate) * clock_.dt() * std::max(before, ring.radius);

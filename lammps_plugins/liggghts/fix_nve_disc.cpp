@@ -14,6 +14,7 @@
 #include "neighbor.h"
 #include "pair_gran_disc.h"
 #include "processor_clones.h"
+#include "style_maps.h"
 #include "update.h"
 
 namespace mikromakro::liggghts {
@@ -73,13 +74,14 @@ void FixNveDisc::find_members() {
   for (int i = 0; i < atom->nlocal; ++i) {
     if (atom->mask[i] & groupbit) members_.push_back(i);
   }
+  seen_elsewhere_ = atoms_with_ghosts(*comm, atom->nlocal);
   members_known_ = true;
 }
 
 void FixNveDisc::begin_step() {
   const double dt = update->dt;
-  find_members();
-  for (const int i : members_) {
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
     double *x = atom->x[i], *v = atom->v[i], *omega = atom->omega[i];
     const double kick = dt / 2 / atom->rmass[i];
     const double spin_kick = 2 * kick / (atom->radius[i] * atom->radius[i]);
@@ -91,7 +93,7 @@ void FixNveDisc::begin_step() {
     x[0] += dt * v[0];
     x[1] += dt * v[1];
     if (predicted_) {
-      states_[i] = {Four{v[0], v[1], omega[2], 0}, Four{kick, kick, spin_kick, 0}};
+      half_steps_[i].values = Four{v[0], v[1], omega[2], kick};
       v[0] += dv_x;
       v[1] += dv_y;
       omega[2] += domega;
@@ -105,14 +107,13 @@ struct OpenStep {
   const int* members;
   int count;
   double dt;
-  DiscState* states;
+  Four* half_steps;
   physics::DiscRow* discs;
   physics::DiscLoad* loads;
-  double (*x)[3];
 };
 
 /// The last half-kick of the step before, the first one of this step, and the velocity predicted for its
-/// end: the arithmetic of final_integrate() and begin_step(). Returns the largest square of a velocity.
+/// end: the arithmetic of end_step() and begin_step(). Returns the largest square of a velocity.
 FOR_EACH_PROCESSOR double move_discs(const OpenStep& step) {
   const Four drift = {step.dt, step.dt, 0, 0};
   double fastest = 0;
@@ -120,16 +121,15 @@ FOR_EACH_PROCESSOR double move_discs(const OpenStep& step) {
     const int i = step.members[k];
     auto& disc = step.discs[i];
     auto& load = step.loads[i];
-    auto& state = step.states[i];
-    const Four dv = state.kick * Four{load.f_x(), load.f_y(), load.torque(disc.radius()), 0};
-    const Four half = state.half_step + dv + dv;
-    state.half_step = half;
+    const double radius = disc.radius(), kick = step.half_steps[i][3];
+    const double spin_kick = 2 * kick / (radius * radius);
+    const Four dv = Four{kick, kick, spin_kick, 0} * Four{load.f_x(), load.f_y(), load.torque(radius), 0};
+    const Four half = step.half_steps[i] + dv + dv;
+    step.half_steps[i] = half;
     disc.place += drift * half;
     const Four now = half + dv;
     disc.set_motion(now[0], now[1], now[2]);
     load = {};
-    step.x[i][0] = disc.x();
-    step.x[i][1] = disc.y();
     fastest = std::max(fastest, half[0] * half[0] + half[1] * half[1]);
   }
   return fastest;
@@ -140,45 +140,39 @@ FOR_EACH_PROCESSOR double move_discs(const OpenStep& step) {
 /// As begin_step(), from rows that nobody has looked at since the forces of the last step were evaluated.
 void FixNveDisc::go_on() {
   if (!members_known_) find_members();
+  static_assert(sizeof(HalfStep) == sizeof(Four));
   const OpenStep step{members_.data(),
                       static_cast<int>(members_.size()),
                       update->dt,
-                      states_.data(),
+                      &half_steps_.data()->values,
                       packed_->discs.data(),
-                      packed_->loads.data(),
-                      reinterpret_cast<double(*)[3]>(atom->x[0])};
-  if (step.count > 0) packed_->furthest = std::max(packed_->furthest, std::sqrt(move_discs(step)) * step.dt);
+                      packed_->loads.data()};
+  packed_->furthest = std::max(packed_->furthest, std::sqrt(move_discs(step)) * step.dt);
   packed_->step = update->ntimestep;
-  if (comm->nprocs > 1 || atom->nghost > 0) put_velocities_into_engine();
-}
-
-void FixNveDisc::put_velocities_into_engine() {
-  for (const int i : members_) {
-    const auto& motion = packed_->discs[i].motion;
-    atom->v[i][0] = motion[0];
-    atom->v[i][1] = motion[1];
-    atom->omega[i][2] = motion[2];
-  }
 }
 
 /// All discs have moved, and the engine is about to ask whether new neighbour lists are needed. Where they
-/// cannot be, its search through all discs is spared; where they may be, the springs have to be in its
-/// arrays, which it is going to read before any other fix is called.
+/// cannot be, its search through all discs is spared; where they may be, discs and springs have to be in its
+/// arrays. Nor need it clear forces that nobody is going to look at.
 void FixNveDisc::post_integrate() {
   if (!packed_ || !packed_->open) return;
   int doubt = law_->neighbours_suffice() ? 0 : 1;
   if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &doubt, 1, MPI_INT, MPI_MAX, world);
   if (doubt || build_is_due(*lmp)) {
+    law_->put_discs_into_engine();
     law_->put_springs_into_engine();
-  } else if (!neighbor->build_once) {
+  } else {
+    for (const int i : seen_elsewhere_) law_->put_disc_into_engine(i);
+    packed_->check_is_off = !neighbor->build_once;
     neighbor->build_once = 1;
-    packed_->check_is_off = true;
   }
+  int& not_cleared = forces_are_not_cleared(*update->integrate);
+  packed_->clear_is_off = !not_cleared && law_->will_stay_open();
+  if (packed_->clear_is_off) not_cleared = 1;
 }
 
 /// Discs are about to change their numbers and their ranks.
 void FixNveDisc::pre_exchange() {
-  if (packed_ && packed_->step == update->ntimestep) law_->put_velocities_into_engine();
   members_known_ = false;
 }
 
@@ -194,7 +188,7 @@ void FixNveDisc::end_step() {
     double *v = atom->v[i], *omega = atom->omega[i];
     const double kick = dt / 2 / atom->rmass[i];
     const double spin_kick = 2 * kick / (atom->radius[i] * atom->radius[i]);
-    const Four half = predicted_ ? states_[i].half_step : Four{v[0], v[1], omega[2], 0};
+    const Four half = predicted_ ? half_steps_[i].values : Four{v[0], v[1], omega[2], 0};
     v[0] = half[0] + kick * atom->f[i][0];
     v[1] = half[1] + kick * atom->f[i][1];
     omega[2] = half[2] + spin_kick * atom->torque[i][2];
@@ -209,25 +203,25 @@ void FixNveDisc::post_run() {
 }
 
 void FixNveDisc::grow_arrays(int nmax) {
-  states_.resize(nmax);
+  half_steps_.resize(nmax);
 }
 
 void FixNveDisc::copy_arrays(int from, int to, int /*delflag*/) {
-  states_[to] = states_[from];
+  half_steps_[to] = half_steps_[from];
 }
 
 int FixNveDisc::pack_exchange(int i, double* buffer) {
-  std::memcpy(buffer, &states_[i], sizeof(DiscState));
-  return sizeof(DiscState) / sizeof(double);
+  std::memcpy(buffer, &half_steps_[i], sizeof(HalfStep));
+  return sizeof(HalfStep) / sizeof(double);
 }
 
 int FixNveDisc::unpack_exchange(int i, double* buffer) {
-  std::memcpy(&states_[i], buffer, sizeof(DiscState));
-  return sizeof(DiscState) / sizeof(double);
+  std::memcpy(&half_steps_[i], buffer, sizeof(HalfStep));
+  return sizeof(HalfStep) / sizeof(double);
 }
 
 double FixNveDisc::memory_usage() {
-  return static_cast<double>(states_.size() * sizeof(DiscState));
+  return static_cast<double>(half_steps_.size() * sizeof(HalfStep));
 }
 
 }  // namespace mikromakro::liggghts

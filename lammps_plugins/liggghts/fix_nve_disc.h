@@ -12,12 +12,6 @@ namespace mikromakro::liggghts {
 class PairGranDisc;
 struct PackedDiscs;
 
-/// What the fix keeps of each owned disc between the two half-kicks, and between the steps of an open state.
-struct DiscState {
-  physics::Four half_step;  // v_x, v_y [m/s], spin [1/s]
-  physics::Four kick;       // dt / 2m (twice), dt / 2I: what turns forces and torque into the half-kick
-};
-
 /// fix ID group nve/disc [velocity predicted | half_step]
 ///
 /// m dv/dt = f, I domega/dt = T with I = m a^2 / 2. Forces that depend on velocities are evaluated with the
@@ -57,13 +51,18 @@ class FixNveDisc : public LAMMPS_NS::Fix {
   void begin_step();
   void go_on();
   void end_step();
-  void put_velocities_into_engine();
 
   bool predicted_ = true;
   PairGranDisc* law_ = nullptr;
   PackedDiscs* packed_ = nullptr;
-  std::vector<DiscState> states_;  // of each owned atom
-  std::vector<int> members_;       // local numbers of the discs of the group
+  // Of each owned atom, between the two half-kicks and between the steps of an open state: v_x, v_y [m/s] and
+  // spin [1/s] of the half step, and dt / 2m, which turns a force into a half-kick.
+  struct HalfStep {
+    physics::Four values;
+  };
+  std::vector<HalfStep> half_steps_;
+  std::vector<int> members_;         // local numbers of the discs of the group
+  std::vector<int> seen_elsewhere_;  // local numbers of discs that have ghosts
   bool members_known_ = false;
 };
 

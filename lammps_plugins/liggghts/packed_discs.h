@@ -26,7 +26,8 @@ struct PackedDiscs {
   bool open = false;                     // the loads of the last step are here and not in the engine
   LAMMPS_NS::bigint step = -1;           // in which rows of owned discs were written by those who move them
   double furthest = 0;                   // how far they moved a disc in that step at most [m]
-  bool check_is_off = false;             // the engine's search for discs that left the skin, in this step
+  // Spared in this step: the engine's search for discs that left the skin, and its clearing of forces.
+  bool check_is_off = false, clear_is_off = false;
 };
 
 /// Whether nothing but the pair style, fix nve/disc (the integrator) and fix couette/2d needs discs within a

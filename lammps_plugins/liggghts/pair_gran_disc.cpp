@@ -15,6 +15,7 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
+#include "style_maps.h"
 #include "time_step_check.h"
 #include "update.h"
 
@@ -235,9 +236,11 @@ void PairGranDisc::compute_force(PairGran* pair, int eflag, int vflag, int addfl
   }
   if (!run_started_) start_run(*pair->list);
   if (packed_.check_is_off) neighbor->build_once = 0;
-  packed_.check_is_off = false;
+  if (packed_.clear_is_off) forces_are_not_cleared(*update->integrate) = 0;
+  forces_are_stale_ = packed_.clear_is_off;
+  packed_.check_is_off = packed_.clear_is_off = false;
   // The same on all ranks, with discs or without.
-  packed_.open = pair->computeflag() && packed_.may_stay_open && !readers_.any_at_present_step(*lmp);
+  packed_.open = pair->computeflag() && will_stay_open();
   recording_ = pair->computeflag() && schedule_.due(*update, *output);
   if (recording_) applied_.clear();
   if (atom->nlocal > 0) {

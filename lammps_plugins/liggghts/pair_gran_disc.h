@@ -67,10 +67,13 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
 
   /// Shared with the fixes that move discs.
   PackedDiscs& packed_discs() { return packed_; }
-  /// Puts what waits here into the engine's arrays: loads, velocities of the rows, springs.
+  /// Puts what waits here into the engine's arrays: places and velocities of the rows, loads, springs.
   void close();
-  void put_velocities_into_engine();
+  void put_discs_into_engine();
+  void put_disc_into_engine(int i);
   void put_springs_into_engine();
+  /// Whether nobody looks at the end of the present step.
+  bool will_stay_open() const { return packed_.may_stay_open && !readers_.any_at_present_step(*lmp); }
   /// Whether no disc can have left its half of the neighbour list's skin, in a step for which rows are there.
   bool neighbours_suffice();
 
@@ -127,8 +130,9 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   // Since the neighbour list was built: where owned discs were then, how far any has moved at most [m].
   std::vector<physics::PlaneVector> built_at_;
   double path_ = 0;
-  bool springs_wait_ = false;  // the engine's histories are behind
-  bool one_material_ = false;  // all pairs of types have the same constants
+  bool forces_are_stale_ = false;  // the engine has not cleared its forces in this step
+  bool springs_wait_ = false;      // the engine's histories are behind
+  bool one_material_ = false;      // all pairs of types have the same constants
   Loop plain_loop_ = nullptr;
   Loop observed_loop_ = nullptr;
   bool predicted_ =

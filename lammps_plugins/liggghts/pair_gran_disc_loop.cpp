@@ -123,13 +123,17 @@ bool PairGranDisc::neighbours_suffice() {
   return now < 0.9 * trigger;
 }
 
-void PairGranDisc::put_velocities_into_engine() {
-  for (int i = 0; i < atom->nlocal; ++i) {
-    const auto& motion = packed_.discs[i].motion;
-    atom->v[i][0] = motion[0];
-    atom->v[i][1] = motion[1];
-    atom->omega[i][2] = motion[2];
-  }
+void PairGranDisc::put_disc_into_engine(int i) {
+  const auto& disc = packed_.discs[i];
+  atom->x[i][0] = disc.x();
+  atom->x[i][1] = disc.y();
+  atom->v[i][0] = disc.motion[0];
+  atom->v[i][1] = disc.motion[1];
+  atom->omega[i][2] = disc.motion[2];
+}
+
+void PairGranDisc::put_discs_into_engine() {
+  for (int i = 0; i < atom->nlocal; ++i) put_disc_into_engine(i);
 }
 
 void PairGranDisc::put_springs_into_engine() {
@@ -144,11 +148,13 @@ void PairGranDisc::put_springs_into_engine() {
 
 /// Adds the loads of the owned discs to the engine's forces and torques, and leaves none for the next step.
 void PairGranDisc::close() {
-  if (packed_.step == update->ntimestep) put_velocities_into_engine();
+  if (packed_.step == update->ntimestep) put_discs_into_engine();
   put_springs_into_engine();
   auto* f = reinterpret_cast<Vector3*>(atom->f[0]);
   auto* torque = reinterpret_cast<Vector3*>(atom->torque[0]);
   const int nlocal = atom->nlocal;
+  for (int i = 0; i < nlocal && forces_are_stale_; ++i) f[i][0] = f[i][1] = torque[i][2] = 0;
+  forces_are_stale_ = false;
   for (int i = 0; i < nlocal; ++i) {
     f[i][0] += packed_.loads[i].f_x();
     f[i][1] += packed_.loads[i].f_y();
