@@ -2,9 +2,13 @@
 
 #include <mpi.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "atom.h"
 #include "domain.h"
 #include "memory.h"
+#include "pair_gran_disc.h"
 #include "update.h"
 
 namespace mikromakro::liggghts {
@@ -45,7 +49,6 @@ FixCouette2d::~FixCouette2d() {
 }
 
 int FixCouette2d::setmask() {
-  // PRE_EXCHANGE only so that the engine calls setup_pre_exchange.
   return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::PRE_EXCHANGE |
          (walls_.any() ? LAMMPS_NS::FixConst::POST_FORCE : 0);
 }
@@ -64,6 +67,8 @@ void FixCouette2d::init() {
   check_radii();
   adopt_new_wall_discs();
   if (walls_.any()) walls_.init(smooth_rings_at(update->ntimestep));
+  PairGranDisc* law = active_disc_law(*lmp);
+  packed_ = law ? &law->packed_discs() : nullptr;
 }
 
 // Velocities at the start of a run, before ghosts get theirs. Positions are left alone: they are right
@@ -73,6 +78,12 @@ void FixCouette2d::init() {
 void FixCouette2d::setup_pre_exchange() {
   place_wall_discs(update->ntimestep, true);
   step_of_loads_ = -1;
+  members_known_ = false;
+}
+
+// Wall discs are about to change their numbers and ranks.
+void FixCouette2d::pre_exchange() {
+  members_known_ = false;
 }
 
 void FixCouette2d::setup(int vflag) {
@@ -86,7 +97,11 @@ void FixCouette2d::post_force(int) {
 
 void FixCouette2d::initial_integrate(int) {
   follow_time_step(update->ntimestep - 1);
-  place_wall_discs(update->ntimestep, false);
+  if (packed_ && packed_->open) {
+    carry_rows(update->ntimestep);
+  } else {
+    place_wall_discs(update->ntimestep, false);
+  }
 }
 
 void FixCouette2d::reset_dt() {
@@ -132,6 +147,37 @@ void FixCouette2d::place_wall_discs(LAMMPS_NS::bigint step, bool velocities_only
     atom->v[i][0] = disc.velocity.x;
     atom->v[i][1] = disc.velocity.y;
     atom->omega[i][2] = rings[side].rotation_rate;
+  }
+}
+
+void FixCouette2d::find_members() {
+  for (auto& ring : members_) ring.clear();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const int side = ring_of(i);
+    if (side >= 0) members_[side].push_back(i);
+  }
+  members_known_ = true;
+}
+
+// As place_wall_discs(), while velocities are needed in the rows only; a ring at rest stays where it is.
+void FixCouette2d::carry_rows(LAMMPS_NS::bigint step) {
+  if (!members_known_) find_members();
+  const Rings rings = rings_at(step);
+  for (int side = 0; side < 2; ++side) {
+    const auto& ring = rings[side];
+    for (const int i : members_[side]) packed_->loads[i] = {};
+    if (ring.rotation_rate == 0 && settings_.rings[side].motion.course.is_over(clock_.time_at(step - 1)))
+      continue;
+    for (const int i : members_[side]) {
+      const physics::WallDiscState disc =
+          physics::wall_disc_state(ring, {references_[i][0], references_[i][1]});
+      auto& row = packed_->discs[i];
+      row.move_to(settings_.centre.x + disc.position.x, settings_.centre.y + disc.position.y);
+      row.set_motion(disc.velocity.x, disc.velocity.y, ring.rotation_rate);
+    }
+    const double before = settings_.rings[side].motion.course.radius(clock_.time_at(step - 1));
+    const double turned = std::abs(ring.rotation_rate) * clock_.dt() * std::max(before, ring.radius);
+    packed_->furthest = std::max(packed_->furthest, std::abs(ring.radius - before) + turned);
   }
 }
 

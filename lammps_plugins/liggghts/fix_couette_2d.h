@@ -31,6 +31,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "couette_settings.h"
 #include "fix.h"
@@ -40,6 +41,8 @@
 #include "smooth_walls.h"
 
 namespace mikromakro::liggghts {
+
+struct PackedDiscs;
 
 class FixCouette2d : public LAMMPS_NS::Fix, public WallContactSource {
  public:
@@ -52,6 +55,7 @@ class FixCouette2d : public LAMMPS_NS::Fix, public WallContactSource {
   void post_create() override;
   void init() override;
   void setup_pre_exchange() override;
+  void pre_exchange() override;
   void setup(int vflag) override;
   void initial_integrate(int vflag) override;
   void post_force(int vflag) override;
@@ -94,12 +98,17 @@ class FixCouette2d : public LAMMPS_NS::Fix, public WallContactSource {
   void add_smooth_rings();
   [[nodiscard]] std::vector<physics::SmoothWall> smooth_rings_at(LAMMPS_NS::bigint step) const;
   void add_loads_of_smooth_rings();
+  void find_members();
+  void carry_rows(LAMMPS_NS::bigint step);
   const Loads& loads();
 
   CouetteSettings settings_;
   physics::StepClock clock_;
-  double** references_ = nullptr;  // per atom: unit vector of the reference angle; zero: none yet
-  SmoothWalls walls_;              // of the smooth rings
+  double** references_ = nullptr;            // per atom: unit vector of the reference angle; zero: none yet
+  SmoothWalls walls_;                        // of the smooth rings
+  PackedDiscs* packed_ = nullptr;            // of the disc law, if there is one
+  std::array<std::vector<int>, 2> members_;  // local numbers of the wall discs of both rings
+  bool members_known_ = false;
   Loads loads_;
   LAMMPS_NS::bigint step_of_loads_ = -1;
 };

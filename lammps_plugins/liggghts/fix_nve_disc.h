@@ -6,8 +6,12 @@
 
 #include "fix.h"
 #include "last_forces.h"
+#include "physics/disc_rows.h"
 
 namespace mikromakro::liggghts {
+
+class PairGranDisc;
+struct PackedDiscs;
 
 /// fix ID group nve/disc [velocity predicted | half_step]
 ///
@@ -22,6 +26,9 @@ namespace mikromakro::liggghts {
 /// on the way (`restart N FILE`; the engine builds the neighbour list anew in such a step, as the set-up of a
 /// run does). Forces that a script adds between two runs act from the new run's first evaluation on, half a
 /// step later.
+///
+/// Where nobody looks at a disc between two steps, this fix does the final half-kick of a step together with
+/// the first one of the next (packed_discs.h): the same arithmetic, and the same bits.
 class FixNveDisc : public LAMMPS_NS::Fix {
  public:
   FixNveDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
@@ -34,8 +41,12 @@ class FixNveDisc : public LAMMPS_NS::Fix {
   int setmask() override;
   void init() override;
   void setup(int vflag) override;
+  void setup_pre_exchange() override;
   void initial_integrate(int vflag) override;
+  void post_integrate() override;
+  void pre_exchange() override;
   void final_integrate() override;
+  void post_run() override;
 
   void grow_arrays(int nmax) override;
   void copy_arrays(int from, int to, int delflag) override;
@@ -52,15 +63,26 @@ class FixNveDisc : public LAMMPS_NS::Fix {
   int maxsize_restart() override;
 
  private:
-  /// Before the first half-kick of a run, and after the second one of every step.
+  /// Before the first half-kick of a step, and after the second one of a step that ends closed.
+  void go_on_from_last_run();
+  void note_end_of_step();
+  void find_members();
   void begin_step();
+  void go_on();
   void end_step();
 
-  struct HalfStep {
-    double v_x, v_y, omega;
-  };
   bool predicted_ = true;
-  std::vector<HalfStep> half_step_;  // of each owned atom, between the two half-kicks
+  PairGranDisc* law_ = nullptr;
+  PackedDiscs* packed_ = nullptr;
+  // Of each owned atom, between the two half-kicks and between the steps of an open state: v_x, v_y [m/s] and
+  // spin [1/s] of the half step, and dt / 2m, which turns a force into a half-kick.
+  struct HalfStep {
+    physics::Four values;
+  };
+  std::vector<HalfStep> half_steps_;
+  std::vector<int> members_;         // local numbers of the discs of the group
+  std::vector<int> seen_elsewhere_;  // local numbers of discs that have ghosts
+  bool members_known_ = false;
   LastForces last_forces_;
   bool resumes_ = false;        // the next step is the first of a run
   bool step_complete_ = false;  // forces and velocities are those of the end of a step

@@ -32,14 +32,14 @@ void FixNveDisc::setup(int /*vflag*/) {
 }
 
 /// A run that starts from the file of this step will sort its discs in its set-up.
-void FixNveDisc::begin_step() {
+void FixNveDisc::go_on_from_last_run() {
   if (update->ntimestep == output->*member(NextRestart{})) atom->nextsort = update->ntimestep;
   if (!resumes_) return;
   resumes_ = false;
   last_forces_.restore(groupbit);
 }
 
-void FixNveDisc::end_step() {
+void FixNveDisc::note_end_of_step() {
   step_complete_ = true;
   if (update->ntimestep == update->laststep) last_forces_.keep(groupbit);
 }
@@ -61,7 +61,7 @@ void FixNveDisc::write_restart(FILE* file) {
 }
 
 void FixNveDisc::grow_arrays(int nmax) {
-  half_step_.resize(nmax);
+  half_steps_.resize(nmax);
   last_forces_.grow(nmax);
 }
 
@@ -70,18 +70,20 @@ void FixNveDisc::set_arrays(int i) {
 }
 
 void FixNveDisc::copy_arrays(int from, int to, int /*delflag*/) {
-  half_step_[to] = half_step_[from];
+  half_steps_[to] = half_steps_[from];
   last_forces_.copy(from, to);
 }
 
 int FixNveDisc::pack_exchange(int i, double* buffer) {
-  std::memcpy(buffer, &half_step_[i], sizeof(HalfStep));
-  return 3 + last_forces_.pack(i, buffer + 3);
+  constexpr int size = sizeof(HalfStep) / sizeof(double);
+  std::memcpy(buffer, &half_steps_[i], sizeof(HalfStep));
+  return size + last_forces_.pack(i, buffer + size);
 }
 
 int FixNveDisc::unpack_exchange(int i, double* buffer) {
-  std::memcpy(&half_step_[i], buffer, sizeof(HalfStep));
-  return 3 + last_forces_.unpack(i, buffer + 3);
+  constexpr int size = sizeof(HalfStep) / sizeof(double);
+  std::memcpy(&half_steps_[i], buffer, sizeof(HalfStep));
+  return size + last_forces_.unpack(i, buffer + size);
 }
 
 int FixNveDisc::pack_restart(int i, double* buffer) {
@@ -105,7 +107,7 @@ int FixNveDisc::maxsize_restart() {
 }
 
 double FixNveDisc::memory_usage() {
-  return static_cast<double>(half_step_.size() * sizeof(HalfStep)) + last_forces_.memory_usage();
+  return static_cast<double>(half_steps_.size() * sizeof(HalfStep)) + last_forces_.memory_usage();
 }
 
 }  // namespace mikromakro::liggghts

@@ -1,5 +1,6 @@
 #include "pair_gran_disc.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -12,7 +13,9 @@
 #include "fix_nve_disc.h"
 #include "force.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "output.h"
+#include "style_maps.h"
 #include "time_step_check.h"
 #include "update.h"
 
@@ -134,6 +137,9 @@ void PairGranDisc::init_granular() {
   run_started_ = false;
   predicted_ = integrators_predict_velocities(*modify);
   schedule_.look_up(*lmp);
+  readers_.look_up(*lmp);
+  packed_.may_stay_open = packed_.open = false;
+  packed_.step = -1;
   recorded_step_ = -1;
 }
 
@@ -207,6 +213,21 @@ const std::vector<AppliedContact>* PairGranDisc::applied_contacts() const {
   return recorded_step_ == update->ntimestep ? &applied_ : nullptr;
 }
 
+std::size_t PairGranDisc::bytes_of_pairs() const {
+  return pairs_.size() * sizeof(physics::DiscPair) + histories_.size() * sizeof(double*) +
+         in_contact_.size() + near_.bytes() + applied_.capacity() * sizeof(AppliedContact);
+}
+
+std::size_t PairGranDisc::bytes_in_engine() const {
+  return histories_.size() * (2 * sizeof(double) + sizeof(int));
+}
+
+std::size_t PairGranDisc::contacts() const {
+  return std::count_if(pairs_.begin(), pairs_.end(), [this](const physics::DiscPair& pair) {
+    return physics::are_near(packed_.discs[pair.i], packed_.discs[pair.j], 0);
+  });
+}
+
 void PairGranDisc::compute_force(PairGran* pair, int eflag, int vflag, int addflag) {
   if (eflag || vflag) {
     pair->ev_setup(eflag, vflag);
@@ -214,6 +235,12 @@ void PairGranDisc::compute_force(PairGran* pair, int eflag, int vflag, int addfl
     pair->evflag = pair->vflag_fdotr = 0;
   }
   if (!run_started_) start_run(*pair->list);
+  if (packed_.check_is_off) neighbor->build_once = 0;
+  if (packed_.clear_is_off) forces_are_not_cleared(*update->integrate) = 0;
+  forces_are_stale_ = packed_.clear_is_off;
+  packed_.check_is_off = packed_.clear_is_off = false;
+  // The same on all ranks, with discs or without.
+  packed_.open = pair->computeflag() && will_stay_open();
   recording_ = pair->computeflag() && schedule_.due(*update, *output);
   if (recording_) applied_.clear();
   if (atom->nlocal > 0) {

@@ -4,7 +4,6 @@
 // torques; the arithmetic of the law is not here.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -13,8 +12,11 @@
 
 #include "contact_rows.h"
 #include "granular_pair_style.h"
+#include "packed_discs.h"
 #include "physics/contact_batch.h"
 #include "physics/contact_law.h"
+#include "physics/near_pairs.h"
+#include "physics/plane_vector.h"
 #include "pointers.h"
 
 namespace mikromakro::liggghts {
@@ -35,22 +37,6 @@ struct AppliedContact {
   double v_n, v_t;
 };
 
-/// What the pair loop reads of a disc, and what it adds up for it.
-struct Place {
-  double x, y, radius;
-};
-struct Motion {
-  double v_x, v_y, omega;
-};
-struct Load {
-  double f_x = 0, f_y = 0, torque = 0;
-};
-
-/// A pair of the engine's neighbour list.
-struct NeighbourPair {
-  int i, j;
-};
-
 class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected LAMMPS_NS::Pointers {
  public:
   PairGranDisc(LAMMPS_NS::LAMMPS* engine, LAMMPS_NS::PairGran* parent, int64_t hash);
@@ -69,15 +55,30 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   /// The contacts of the force evaluation of this step; nullptr where the step was not recorded.
   const std::vector<AppliedContact>* applied_contacts() const;
   physics::Effects effects() const { return effects_; }
+  /// What the law itself holds of pairs and contacts at present, and the engine in its lists of springs.
+  std::size_t bytes_of_pairs() const;
+  std::size_t bytes_in_engine() const;
+  /// Pairs of this rank that touch at present.
+  std::size_t contacts() const;
   /// For walls, which act under the same law: constants of two types (from 1 on), and whether the atoms carry
   /// velocities that were predicted for the instant of their positions. Valid from the start of a run.
   const physics::ContactParameters& parameters(int type_1, int type_2) const;
   bool velocities_predicted() const { return predicted_; }
 
+  /// Shared with the fixes that move discs.
+  PackedDiscs& packed_discs() { return packed_; }
+  /// Puts what waits here into the engine's arrays: places and velocities of the rows, loads, springs.
+  void close();
+  void put_discs_into_engine();
+  void put_disc_into_engine(int i);
+  void put_springs_into_engine();
+  /// Whether nobody looks at the end of the present step.
+  bool will_stay_open() const { return packed_.may_stay_open && !readers_.any_at_present_step(*lmp); }
+  /// Whether no disc can have left its half of the neighbour list's skin, in a step for which rows are there.
+  bool neighbours_suffice();
+
  private:
-  using Lanes = std::array<int, physics::ContactBatch::lanes>;  // the pair in each lane
   using Loop = void (PairGranDisc::*)(LAMMPS_NS::PairGran&, bool addflag);
-  struct Neighbours;
 
   std::string style() const;  // as error lines begin
   [[noreturn]] void fail(const std::string& what) const;
@@ -93,24 +94,18 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   void choose_among(std::integer_sequence<int, numbers...> combinations);
   template <physics::Effects effects>
   void use_loops_of();
-  void gather();
-  void scatter();
+  void gather(int first);
   template <physics::Effects effects>
   void flatten(LAMMPS_NS::PairGran& pair);
+  void remember_places();
   template <physics::Effects effects>
-  void find_first_contacts();
-  double* history_of(int index) const;
-  void start_spring(int index, int flag);
-  template <physics::Effects effects>
-  void load(physics::ContactBatch& batch, const int* lanes, int count) const;
-  template <physics::Effects effects>
-  int drop_ended(const physics::ContactBatch& batch, Lanes& lanes, int count);
-  void slip_of_first_contacts(physics::ContactBatch& batch, const int* lanes, int count, double dt) const;
-  template <physics::Effects effects>
-  void store(const physics::ContactBatch& batch, const int* lanes, int count, bool move_spring);
-  void observe(LAMMPS_NS::PairGran& pair, const physics::ContactBatch& batch, int lane, int index,
+  void find_near_pairs();
+  void set_materials(physics::ContactBatch& batch, const physics::DiscPair* pairs, int count) const;
+  void begin_and_end_contacts(physics::ContactBatch& batch, int first, int count, double dt);
+  void observe(LAMMPS_NS::PairGran& pair, const physics::ContactBatch& batch, int lane, int first,
                bool addflag);
-  [[noreturn]] void stop_at_coincident_centres(const physics::ContactBatch& batch, const Lanes& lanes) const;
+  [[noreturn]] void stop_at_coincident_centres(const physics::ContactBatch& batch,
+                                               const physics::DiscPair* pairs) const;
   template <physics::Effects effects, bool observed>
   void loop(LAMMPS_NS::PairGran& pair, bool addflag);
 
@@ -119,22 +114,25 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   double impact_velocity_ = 0;  // [m/s] to be expected, for the time step; 0: not given
   bool run_started_ = false;
   std::vector<physics::ContactParameters> parameters_;  // of type i and type j at (i - 1) * types + j - 1
-  // Of this step: owned and ghost discs, the loads on them.
-  std::vector<Place> places_;
-  std::vector<Motion> motions_;
-  std::vector<Load> loads_;
-  std::vector<int> first_contacts_, ended_;  // pairs, sorted
+  PackedDiscs packed_;
+  EndOfStepReaders readers_;
   std::unique_ptr<physics::ContactBatch> batch_ = std::make_unique<physics::ContactBatch>();
-  // Since the neighbour list was built: its pairs, the first of each disc, the engine's contact history, and
-  // which pairs touched in the last step (sorted, so that forces are summed in the same order whatever
-  // happened before).
-  std::vector<NeighbourPair> pairs_;
+  // Since the neighbour list was built: its pairs, the first of each disc, and for laws with a spring the
+  // engine's flags and histories of contacts, and which pairs touched in the last step.
+  std::vector<physics::DiscPair> pairs_;
   std::vector<int> first_pair_;
   int** flags_ = nullptr;
-  double** histories_ = nullptr;
-  std::ptrdiff_t history_size_ = 0;
-  std::vector<int> touching_, apart_;
-  bool one_material_ = false;  // all pairs of types have the same constants
+  std::vector<double*> histories_;
+  std::vector<char> in_contact_;
+  // Since the last look at all pairs: those that may touch, and how far any disc has moved at most [m].
+  physics::NearPairs near_;
+  double near_gap_ = 0, moved_ = 0;
+  // Since the neighbour list was built: where owned discs were then, how far any has moved at most [m].
+  std::vector<physics::PlaneVector> built_at_;
+  double path_ = 0;
+  bool forces_are_stale_ = false;  // the engine has not cleared its forces in this step
+  bool springs_wait_ = false;      // the engine's histories are behind
+  bool one_material_ = false;      // all pairs of types have the same constants
   Loop plain_loop_ = nullptr;
   Loop observed_loop_ = nullptr;
   bool predicted_ =

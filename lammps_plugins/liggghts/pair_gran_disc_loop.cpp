@@ -1,10 +1,8 @@
 // The pair loop of the disc law: one instance for each combination of effects, each plain and observed.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <iterator>
 #include <string>
 #include <utility>
 
@@ -14,38 +12,61 @@
 #include "neighbor.h"
 #include "pair_gran_disc.h"
 #include "physics/contact_batch.h"
+#include "physics/near_pairs.h"
+#include "processor_clones.h"
 #include "update.h"
-
-// Compiled for AVX2 and for any x86-64; the processor decides. Without fused multiply-add, so that both give
-// the same. Clang does not clone templates.
-#ifdef __clang__
-#define FOR_EACH_PROCESSOR
-#else
-#define FOR_EACH_PROCESSOR __attribute__((target_clones("avx2", "default")))
-#endif
 
 namespace mikromakro::liggghts {
 
 using namespace LAMMPS_NS;
 using physics::ContactBatch;
+using physics::DiscLoad;
+using physics::DiscPair;
+using physics::DiscRow;
 using physics::Effects;
 using physics::Tangential;
 
 namespace {
+
 using Vector3 = double[3];
 
-// Columns of the contact history.
+// Columns of the engine's contact history.
 constexpr int history_xi = 0, history_slip_rate = 1;
+
+/// What a batch of pairs reads and writes.
+struct BatchOfPairs {
+  const DiscRow* discs;
+  DiscLoad* loads;
+  const DiscPair* pairs;
+  int count;
+  bool predicted;
+  double dt;
+};
+
+template <Effects effects>
+FOR_EACH_PROCESSOR physics::BatchState batch_geometry(ContactBatch& c, const BatchOfPairs& b) {
+  physics::load_discs<effects>(c, b.discs, b.pairs, b.count);
+  const auto state = physics::contact_geometry<effects>(c, b.count);
+  if constexpr (effects.spring()) physics::contact_slip(c, b.count, b.predicted, b.dt);
+  return state;
+}
+
+template <Effects effects>
+FOR_EACH_PROCESSOR void batch_forces(ContactBatch& c, const BatchOfPairs& b) {
+  physics::contact_forces<effects>(c, b.count);
+  physics::add_loads<effects>(c, b.pairs, b.count, b.loads);
+}
+
 }  // namespace
 
 /// The engine's Error::one is silent on all ranks but the first, and loses its line where the output is a
 /// pipe.
-void PairGranDisc::stop_at_coincident_centres(const ContactBatch& c, const Lanes& lanes) const {
+void PairGranDisc::stop_at_coincident_centres(const ContactBatch& c, const DiscPair* pairs) const {
   int lane = 0;
   while (!std::isnan(c.n_x[lane])) ++lane;
-  const auto [i, j] = pairs_[lanes[lane]];
-  const std::string text = "ERROR: " + style() + ": discs " + std::to_string(atom->tag[i]) + " and " +
-                           std::to_string(atom->tag[j]) + " have the same centre in step " +
+  const auto& pair = pairs[lane];
+  const std::string text = "ERROR: " + style() + ": discs " + std::to_string(atom->tag[pair.i]) + " and " +
+                           std::to_string(atom->tag[pair.j]) + " have the same centre in step " +
                            std::to_string(update->ntimestep) + ": their contact has no normal\n";
   if (logfile) std::fputs(text.c_str(), logfile);
   std::fflush(nullptr);
@@ -54,34 +75,94 @@ void PairGranDisc::stop_at_coincident_centres(const ContactBatch& c, const Lanes
   std::abort();
 }
 
-/// What the pair loop reads of each disc, owned or ghost, side by side: the engine's arrays would cost a
-/// cache line each for every neighbour.
-void PairGranDisc::gather() {
+/// Rows of the discs, owned or ghost, from number `first` on, from the engine's arrays, which would cost a
+/// cache line each for every neighbour. Notes how far any of them has moved.
+void PairGranDisc::gather(int first) {
   const int count = atom->nlocal + atom->nghost;
-  places_.resize(count);
-  motions_.resize(count);
+  auto& discs = packed_.discs;
+  discs.resize(count);
+  packed_.loads.resize(count);
   const auto* x = reinterpret_cast<const Vector3*>(atom->x[0]);
   const auto* v = reinterpret_cast<const Vector3*>(atom->v[0]);
   const auto* omega = reinterpret_cast<const Vector3*>(atom->omega[0]);
-  for (int i = 0; i < count; ++i) {
-    places_[i] = {x[i][0], x[i][1], atom->radius[i]};
-    motions_[i] = {v[i][0], v[i][1], omega[i][2]};
+  double furthest = 0;
+  for (int i = first; i < count; ++i) {
+    const double d_x = x[i][0] - discs[i].x(), d_y = x[i][1] - discs[i].y();
+    furthest = std::max(furthest, d_x * d_x + d_y * d_y);
+    discs[i] = DiscRow::of(x[i][0], x[i][1], atom->radius[i]);
+    discs[i].set_motion(v[i][0], v[i][1], omega[i][2]);
   }
-  loads_.resize(count);
+  const double moved = std::max(std::sqrt(furthest), first > 0 ? packed_.furthest : 0.0);
+  moved_ += moved;
+  path_ += moved;
+  packed_.furthest = 0;
+}
+
+namespace {
+
+/// The largest square of the distance that any of the first discs has moved from where it was.
+FOR_EACH_PROCESSOR double furthest_squared(const DiscRow* discs,
+                                           const std::vector<physics::PlaneVector>& from) {
+  double furthest = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double d_x = discs[i].x() - from[i].x, d_y = discs[i].y() - from[i].y;
+    furthest = std::max(furthest, d_x * d_x + d_y * d_y);
+  }
+  return furthest;
+}
+
+}  // namespace
+
+bool PairGranDisc::neighbours_suffice() {
+  if (atom->nlocal == 0) return true;
+  const double trigger = neighbor->skin / 2 * (1 - 1e-6);  // more than any rounding
+  if (path_ + packed_.furthest < trigger) return true;
+  if (path_ >= 2 * trigger) return false;  // looked at before, and found close to the trigger
+  const double now = std::sqrt(furthest_squared(packed_.discs.data(), built_at_));
+  path_ = now < 0.9 * trigger ? now - packed_.furthest : 2 * trigger;
+  return now < 0.9 * trigger;
+}
+
+void PairGranDisc::put_disc_into_engine(int i) {
+  const auto& disc = packed_.discs[i];
+  atom->x[i][0] = disc.x();
+  atom->x[i][1] = disc.y();
+  atom->v[i][0] = disc.motion[0];
+  atom->v[i][1] = disc.motion[1];
+  atom->omega[i][2] = disc.motion[2];
+}
+
+void PairGranDisc::put_discs_into_engine() {
+  for (int i = 0; i < atom->nlocal; ++i) put_disc_into_engine(i);
+}
+
+void PairGranDisc::put_springs_into_engine() {
+  if (!springs_wait_) return;
+  for (int k = 0; k < near_.size(); ++k) {
+    double* history = histories_[near_.number(k)];
+    history[history_xi] = near_.xi(k);
+    history[history_slip_rate] = near_.slip_rate(k);
+  }
+  springs_wait_ = false;
 }
 
 /// Adds the loads of the owned discs to the engine's forces and torques, and leaves none for the next step.
-void PairGranDisc::scatter() {
+void PairGranDisc::close() {
+  if (packed_.step == update->ntimestep) put_discs_into_engine();
+  put_springs_into_engine();
   auto* f = reinterpret_cast<Vector3*>(atom->f[0]);
   auto* torque = reinterpret_cast<Vector3*>(atom->torque[0]);
   const int nlocal = atom->nlocal;
+  for (int i = 0; i < nlocal && forces_are_stale_; ++i) f[i][0] = f[i][1] = torque[i][2] = 0;
+  forces_are_stale_ = false;
   for (int i = 0; i < nlocal; ++i) {
-    f[i][0] += loads_[i].f_x;
-    f[i][1] += loads_[i].f_y;
-    torque[i][2] += loads_[i].torque;
-    loads_[i] = {0, 0, 0};
+    f[i][0] += packed_.loads[i].f_x();
+    f[i][1] += packed_.loads[i].f_y();
+    torque[i][2] += packed_.loads[i].torque(packed_.discs[i].radius());
   }
-  std::fill(loads_.begin() + nlocal, loads_.end(), Load{0, 0, 0});
+  std::fill(packed_.loads.begin(), packed_.loads.end(), DiscLoad{});
+  packed_.open = false;
+  packed_.step = -1;
 }
 
 /// Copies the engine's neighbour list, which it has just built, into one flat list of pairs.
@@ -89,221 +170,120 @@ template <Effects effects>
 void PairGranDisc::flatten(PairGran& pair) {
   const NeighList& list = *pair.list;
   pairs_.clear();
-  touching_.clear();
-  apart_.clear();
+  histories_.clear();
+  in_contact_.clear();
   first_pair_.resize(atom->nlocal);
-  history_size_ = pair.dnum();
+  const std::ptrdiff_t history_size = pair.dnum();
+  if constexpr (effects.spring()) flags_ = pair.listgranhistory->firstneigh;
   for (int ii = 0; ii < list.inum; ++ii) {
     const int i = list.ilist[ii];
     first_pair_[i] = static_cast<int>(pairs_.size());
     for (int jj = 0; jj < list.numneigh[i]; ++jj) {
-      bool touched = false;
-      if constexpr (effects.spring()) touched = pair.listgranhistory->firstneigh[i][jj] != 0;
-      (touched ? touching_ : apart_).push_back(static_cast<int>(pairs_.size()));
       pairs_.push_back({i, list.firstneigh[i][jj] & NEIGHMASK});
+      if constexpr (effects.spring()) {
+        histories_.push_back(pair.listgranhistory->firstdouble[i] + history_size * jj);
+        in_contact_.push_back(flags_[i][jj] != 0);
+      }
     }
   }
-  if constexpr (effects.spring()) {
-    flags_ = pair.listgranhistory->firstneigh;
-    histories_ = pair.listgranhistory->firstdouble;
-  }
 }
 
-/// Where the engine keeps the history of a pair: xi [m] and slip rate [m/s].
-inline double* PairGranDisc::history_of(int index) const {
-  const int i = pairs_[index].i;
-  return histories_[i] + history_size_ * (index - first_pair_[i]);
-}
-
-namespace {
-
-/// Moves the few sorted `moved` from one sorted list to another, in place.
-void move_sorted(std::vector<int>& from, std::vector<int>& to, const std::vector<int>& moved) {
-  auto next = moved.begin();
-  auto kept = std::lower_bound(from.begin(), from.end(), *next);
-  for (auto read = kept; read != from.end(); ++read) {
-    if (next != moved.end() && *read == *next) {
-      ++next;
-    } else {
-      *kept++ = *read;
-    }
-  }
-  from.erase(kept, from.end());
-
-  // From the end, until all that is new has found its place.
-  auto old = static_cast<std::ptrdiff_t>(to.size()) - 1;
-  to.resize(to.size() + moved.size());
-  auto write = static_cast<std::ptrdiff_t>(to.size()) - 1;
-  for (auto left = static_cast<std::ptrdiff_t>(moved.size()) - 1; left >= 0;) {
-    to[write--] = old >= 0 && to[old] > moved[left] ? to[old--] : moved[left--];
-  }
-}
-
-}  // namespace
-
-/// Looks through the pairs that were apart; those that overlap now begin with a spring of zero.
+/// Looks through all pairs for those that may touch before the discs have moved by a small part of the skin.
 template <Effects effects>
-void PairGranDisc::find_first_contacts() {
-  const Place* places = places_.data();
-  first_contacts_.clear();
-  for (const int index : apart_) {
-    const Place &a = places[pairs_[index].i], &b = places[pairs_[index].j];
-    const double d_x = b.x - a.x, d_y = b.y - a.y;
-    if (a.radius + b.radius - std::sqrt(d_x * d_x + d_y * d_y) > 0) first_contacts_.push_back(index);
-  }
-  if (first_contacts_.empty()) return;
-  move_sorted(apart_, touching_, first_contacts_);
-  if constexpr (effects.spring()) {
-    for (const int index : first_contacts_) start_spring(index, 1);
-  }
-}
-
-void PairGranDisc::start_spring(int index, int flag) {
-  const int i = pairs_[index].i;
-  flags_[i][index - first_pair_[i]] = flag;
-  double* history = history_of(index);
-  history[history_xi] = history[history_slip_rate] = 0;
-}
-
-/// Places, velocities, springs and material constants of the pairs in the lanes.
-template <Effects effects>
-void PairGranDisc::load(ContactBatch& c, const int* lanes, int count) const {
-  for (int k = 0; k < count; ++k) {
-    const auto [i, j] = pairs_[lanes[k]];
-    const Place &a = places_[i], &b = places_[j];
-    const Motion &m = motions_[i], &n = motions_[j];
-    c.d_x[k] = b.x - a.x;
-    c.d_y[k] = b.y - a.y;
-    c.a_1[k] = a.radius;
-    c.a_2[k] = b.radius;
-    c.w_x[k] = m.v_x - n.v_x;
-    c.w_y[k] = m.v_y - n.v_y;
-    if constexpr (effects.tangential != Tangential::none) {
-      c.omega_1[k] = m.omega;
-      c.omega_2[k] = n.omega;
-    }
+void PairGranDisc::find_near_pairs() {
+  near_gap_ = physics::near_fraction * neighbor->skin;
+  moved_ = 0;
+  near_.clear();
+  for (int number = 0; number < static_cast<int>(pairs_.size()); ++number) {
+    const auto& pair = pairs_[number];
+    const bool touched = effects.spring() && in_contact_[number] != 0;
+    if (!touched && !physics::are_near(packed_.discs[pair.i], packed_.discs[pair.j], near_gap_)) continue;
+    near_.add(pair, number);
     if constexpr (effects.spring()) {
-      const double* history = history_of(lanes[k]);
-      c.xi[k] = history[history_xi];
-      c.slip_rate[k] = history[history_slip_rate];
+      const double* history = histories_[number];
+      near_.add_spring(touched, history[history_xi], history[history_slip_rate]);
     }
   }
-  if (one_material_) return;  // it is in all lanes already
-  const std::size_t types = atom->ntypes;
+}
+
+/// Of the pairs from `first` on, one batch, those that began to touch get a spring of zero, and those that
+/// ceased to lose theirs.
+void PairGranDisc::begin_and_end_contacts(ContactBatch& c, int first, int count, double dt) {
   for (int k = 0; k < count; ++k) {
-    const auto [i, j] = pairs_[lanes[k]];
-    c.set_material(k, parameters_[(atom->type[i] - 1) * types + atom->type[j] - 1]);
+    if (c.touches(k) == (c.touched[k] != 0)) continue;
+    const int number = near_.number(first + k), i = pairs_[number].i;
+    near_.set_touched(first + k, c.touches(k));
+    in_contact_[number] = c.touches(k);
+    flags_[i][number - first_pair_[i]] = c.touches(k);
+    histories_[number][history_xi] = histories_[number][history_slip_rate] = 0;
+    physics::begin_or_end_contact(c, k, predicted_, dt);
   }
 }
 
-namespace {
-
-template <Effects effects>
-FOR_EACH_PROCESSOR physics::BatchState batch_geometry(ContactBatch& c, int count, bool predicted, double dt) {
-  const auto state = physics::contact_geometry<effects>(c, count);
-  if constexpr (effects.spring()) physics::contact_slip(c, count, predicted, dt);
-  return state;
-}
-template <Effects effects>
-FOR_EACH_PROCESSOR void batch_forces(ContactBatch& c, int count) {
-  physics::contact_forces<effects>(c, count);
-}
-
-}  // namespace
-
-/// With predicted velocities, contacts that begin in this step slip from the moment when they touched.
-void PairGranDisc::slip_of_first_contacts(ContactBatch& c, const int* lanes, int count, double dt) const {
-  auto first = std::lower_bound(first_contacts_.begin(), first_contacts_.end(), lanes[0]);
-  for (int k = 0; k < count && first != first_contacts_.end(); ++k) {
-    if (lanes[k] != *first) continue;
-    ++first;
-    c.slip_rate[k] = c.v_t[k];
-    if (predicted_ && dt > 0)
-      c.slip[k] = physics::slip_since_onset({c.overlap[k], c.v_n[k], c.v_t[k], 0}, dt);
-  }
-}
-
-/// Takes the lanes that overlap no more out of the batch and notes their pairs; returns how many stay.
-template <Effects effects>
-int PairGranDisc::drop_ended(const ContactBatch& c, Lanes& lanes, int count) {
-  int stay = 0;
-  for (int k = 0; k < count; ++k) {
-    if (c.overlap[k] <= 0) {
-      ended_.push_back(lanes[k]);
-      if constexpr (effects.spring()) start_spring(lanes[k], 0);
-    } else {
-      lanes[stay++] = lanes[k];
-    }
-  }
-  return stay;
-}
-
-/// Adds the forces and torques to both discs and keeps the springs.
-template <Effects effects>
-void PairGranDisc::store(const ContactBatch& c, const int* lanes, int count, bool move_spring) {
-  for (int k = 0; k < count; ++k) {
-    const auto [i, j] = pairs_[lanes[k]];
-    Load &on_i = loads_[i], &on_j = loads_[j];
-    on_i.f_x += c.f_x[k];
-    on_i.f_y += c.f_y[k];
-    on_j.f_x -= c.f_x[k];
-    on_j.f_y -= c.f_y[k];
-    if constexpr (effects.tangential != Tangential::none) {
-      on_i.torque += c.torque_1[k];
-      on_j.torque += c.torque_2[k];
-    }
-  }
-  if constexpr (effects.spring()) {
-    if (!move_spring) return;
-    for (int k = 0; k < count; ++k) {
-      double* history = history_of(lanes[k]);
-      history[history_xi] = c.xi[k];
-      history[history_slip_rate] = c.slip_rate[k];
-    }
-  }
+void PairGranDisc::remember_places() {
+  path_ = 0;
+  built_at_.clear();
+  for (int i = 0; i < atom->nlocal; ++i) built_at_.push_back({packed_.discs[i].x(), packed_.discs[i].y()});
 }
 
 template <Effects effects, bool observed>
 void PairGranDisc::loop(PairGran& pair, bool addflag) {
-  gather();
-  if (neighbor->ago == 0 || pairs_.empty()) flatten<effects>(pair);
+  const bool rows_are_there = packed_.step == update->ntimestep && neighbor->ago != 0;
+  gather(rows_are_there ? atom->nlocal : 0);
+  const bool new_pairs = neighbor->ago == 0 || pairs_.empty();
+  if (new_pairs) {
+    flatten<effects>(pair);
+    remember_places();
+  }
+  if (new_pairs || 2 * moved_ > near_gap_) {
+    put_springs_into_engine();
+    find_near_pairs<effects>();
+  }
   const bool move_spring = pair.computeflag() && pair.shearupdate();
   const double dt = move_spring ? update->dt : 0.0;
   ContactBatch& c = *batch_;
   for (int k = 0; k < ContactBatch::lanes; ++k) c.set_material(k, parameters_.front());
 
-  find_first_contacts<effects>();
-  ended_.clear();
-  Lanes lanes;
-  for (std::size_t next = 0; next < touching_.size(); next += ContactBatch::lanes) {
-    int count = static_cast<int>(std::min<std::size_t>(ContactBatch::lanes, touching_.size() - next));
-    std::copy_n(touching_.begin() + static_cast<std::ptrdiff_t>(next), count, lanes.begin());
-    load<effects>(c, lanes.data(), count);
-    auto state = batch_geometry<effects>(c, count, predicted_, dt);
-    if (!state.all_defined) stop_at_coincident_centres(c, lanes);
-    if (!state.all_touch) {
-      count = drop_ended<effects>(c, lanes, count);
-      load<effects>(c, lanes.data(), count);
-      batch_geometry<effects>(c, count, predicted_, dt);
-    }
-    if (effects.spring() && !first_contacts_.empty()) slip_of_first_contacts(c, lanes.data(), count, dt);
-    batch_forces<effects>(c, count);
-    store<effects>(c, lanes.data(), count, move_spring);
+  for (int first = 0; first < near_.size(); first += ContactBatch::lanes) {
+    const int count = std::min(ContactBatch::lanes, near_.size() - first);
+    const BatchOfPairs batch{
+        packed_.discs.data(), packed_.loads.data(), near_.from(first), count, predicted_, dt};
+    if (!one_material_) set_materials(c, batch.pairs, count);
+    if (effects.spring()) near_.load_springs(c, first, count);
+    const auto state = batch_geometry<effects>(c, batch);
+    if (state.any_undefined) stop_at_coincident_centres(c, batch.pairs);
+    if (state.any_changed) begin_and_end_contacts(c, first, count, dt);
+    batch_forces<effects>(c, batch);
+    if (effects.spring() && move_spring) near_.store_springs(c, first, count);
     if constexpr (observed) {
-      for (int k = 0; k < count; ++k) observe(pair, c, k, lanes[k], addflag);
+      for (int k = 0; k < count; ++k) {
+        if (c.touches(k)) observe(pair, c, k, first, addflag);
+      }
     }
   }
-  if (!ended_.empty()) move_sorted(touching_, apart_, ended_);
-  if (pair.computeflag()) {
-    scatter();
+  springs_wait_ = springs_wait_ || (effects.spring() && move_spring);
+  if (!packed_.may_stay_open) put_springs_into_engine();
+  if (!pair.computeflag()) {
+    std::fill(packed_.loads.begin(), packed_.loads.end(), DiscLoad{});
+  } else if (packed_.open) {
+    // Loads of ghosts are known to their own ranks.
+    std::fill(packed_.loads.begin() + atom->nlocal, packed_.loads.end(), DiscLoad{});
   } else {
-    std::fill(loads_.begin(), loads_.end(), Load{0, 0, 0});
+    close();
+  }
+}
+
+void PairGranDisc::set_materials(ContactBatch& c, const DiscPair* pairs, int count) const {
+  const std::size_t types = atom->ntypes;
+  for (int k = 0; k < count; ++k) {
+    const auto& pair = pairs[k];
+    c.set_material(k, parameters_[(atom->type[pair.i] - 1) * types + atom->type[pair.j] - 1]);
   }
 }
 
 /// Hands one contact to whoever looks at it: our own record, `compute pair/gran/local`, the virial.
-void PairGranDisc::observe(PairGran& pair, const ContactBatch& c, int k, int index, bool addflag) {
-  const auto [i, j] = pairs_[index];
+void PairGranDisc::observe(PairGran& pair, const ContactBatch& c, int k, int first, bool addflag) {
+  const auto [i, j] = near_.from(first)[k];
   if (recording_) {
     const double xi = effects_.spring() ? c.xi[k] : 0.0;
     applied_.push_back(
@@ -315,10 +295,10 @@ void PairGranDisc::observe(PairGran& pair, const ContactBatch& c, int k, int ind
     data.i = i;
     data.j = j;
     data.deltan = c.overlap[k];
-    data.contact_history = effects_.spring() ? history_of(index) : nullptr;
+    data.contact_history = effects_.spring() ? histories_[near_.number(first + k)] : nullptr;
     force_on_i.delta_F[0] = c.f_x[k];
     force_on_i.delta_F[1] = c.f_y[k];
-    force_on_i.delta_torque[2] = c.torque_1[k];
+    force_on_i.delta_torque[2] = packed_.discs[i].radius() * c.f_t[k] - c.short_torque[k];
     pair.cpl_add_pair(data, force_on_i);
   }
   if (pair.evflag) {

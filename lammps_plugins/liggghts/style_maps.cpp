@@ -1,5 +1,11 @@
 #include "style_maps.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "comm.h"
+#include "integrate.h"
+
 namespace mikromakro::liggghts {
 namespace {
 
@@ -22,6 +28,27 @@ struct CommandMap {
   friend Type member(CommandMap tag);
 };
 
+struct ExternalForceClear {
+  using Type = int LAMMPS_NS::Integrate::*;
+  friend Type member(ExternalForceClear tag);
+};
+struct SwapCount {
+  using Type = int LAMMPS_NS::Comm::*;
+  friend Type member(SwapCount tag);
+};
+struct SendCounts {
+  using Type = int* LAMMPS_NS::Comm::*;
+  friend Type member(SendCounts tag);
+};
+struct SendLists {
+  using Type = int** LAMMPS_NS::Comm::*;
+  friend Type member(SendLists tag);
+};
+
+template struct Grant<ExternalForceClear, &LAMMPS_NS::Integrate::external_force_clear>;
+template struct Grant<SwapCount, &LAMMPS_NS::Comm::nswap>;
+template struct Grant<SendCounts, &LAMMPS_NS::Comm::sendnum>;
+template struct Grant<SendLists, &LAMMPS_NS::Comm::sendlist>;
 template struct Grant<FixMap, &LAMMPS_NS::Modify::fix_map>;
 template struct Grant<ComputeMap, &LAMMPS_NS::Modify::compute_map>;
 template struct Grant<CommandMap, &LAMMPS_NS::Input::command_map>;
@@ -36,6 +63,22 @@ std::map<std::string, ComputeCreator>& compute_styles(LAMMPS_NS::Modify& modify)
 }
 std::map<std::string, CommandCreator>& command_styles(LAMMPS_NS::Input& input) {
   return *(input.*member(CommandMap{}));
+}
+
+int& forces_are_not_cleared(LAMMPS_NS::Integrate& integrate) {
+  return integrate.*member(ExternalForceClear{});
+}
+
+std::vector<int> atoms_with_ghosts(const LAMMPS_NS::Comm& comm, int nlocal) {
+  std::vector<int> atoms;
+  for (int swap = 0; swap < comm.*member(SwapCount{}); ++swap) {
+    const int* sent = (comm.*member(SendLists{}))[swap];
+    std::copy_if(sent, sent + (comm.*member(SendCounts{}))[swap], std::back_inserter(atoms),
+                 [nlocal](int i) { return i < nlocal; });
+  }
+  std::sort(atoms.begin(), atoms.end());
+  atoms.erase(std::unique(atoms.begin(), atoms.end()), atoms.end());
+  return atoms;
 }
 
 }  // namespace mikromakro::liggghts

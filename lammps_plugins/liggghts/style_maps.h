@@ -5,13 +5,16 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "input.h"
 #include "modify.h"
 
 namespace LAMMPS_NS {
+class Comm;
 class Compute;
 class Fix;
+class Integrate;
 class LAMMPS;
 }  // namespace LAMMPS_NS
 
@@ -24,5 +27,12 @@ using CommandCreator = void (*)(LAMMPS_NS::LAMMPS*, int, char**);
 std::map<std::string, FixCreator>& fix_styles(LAMMPS_NS::Modify& modify);
 std::map<std::string, ComputeCreator>& compute_styles(LAMMPS_NS::Modify& modify);
 std::map<std::string, CommandCreator>& command_styles(LAMMPS_NS::Input& input);
+
+/// Not zero: the engine leaves forces and torques as they are before pair styles and fixes add theirs.
+int& forces_are_not_cleared(LAMMPS_NS::Integrate& integrate);
+
+/// Local numbers of the owned atoms that other ranks, or the other sides of a periodic box, see as ghosts;
+/// since the neighbour lists were built.
+std::vector<int> atoms_with_ghosts(const LAMMPS_NS::Comm& comm, int nlocal);
 
 }  // namespace mikromakro::liggghts

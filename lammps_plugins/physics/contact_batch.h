@@ -1,29 +1,42 @@
-// The contact law for several contacts side by side, so that a compiler evaluates them at the same time:
+// The contact law for several pairs side by side, so that a compiler evaluates them at the same time:
 // geometry, square root, division and law of a single contact are one long chain of dependent operations.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include "physics/contact_law.h"
+#include "physics/disc_rows.h"
 
 namespace mikromakro::physics {
 
-/// Contacts of discs 1 and 2, one for each lane; units and signs as in contact_law.h. The lanes of a batch
-/// fit into the first cache of any processor.
+/// The numbers of two discs that may touch.
+struct DiscPair {
+  int i, j;
+};
+
+/// Pairs of discs 1 and 2, one for each lane; units and signs as in contact_law.h. A lane whose discs do not
+/// touch carries no force. The lanes of a batch fit into the first cache of any processor.
 struct ContactBatch {
   static constexpr int lanes = 64;
   using Lanes = double[lanes];
 
-  // in: from the centre of 1 to that of 2, radii, velocity of 1 relative to 2, spins
-  alignas(64) Lanes d_x, d_y, a_1, a_2, w_x, w_y, omega_1, omega_2;
+  // in: from the centre of 1 to that of 2, sum and difference of the radii (2 - 1), velocity of 1 relative to
+  // 2, sum of the spins, of spin times radius
+  alignas(64) Lanes d_x, d_y, reach, radius_difference, w_x, w_y, spin, rim_speed;
   // in: material
   alignas(64) Lanes k_n, gamma_n, k_t, gamma_t, mu;
-  // in and out, for laws with a spring: the spring, its slip rate in the middle of a step; in: the slip of
-  // this step
+  // for laws with a spring; in: whether the discs touched in the step before
+  alignas(64) std::int64_t touched[lanes];
+  // in and out: the spring, its slip rate in the middle of a step; in: the slip of this step
   alignas(64) Lanes xi, slip_rate, slip;
-  // out: geometry, law, force on 1 and torques
-  alignas(64) Lanes n_x, n_y, overlap, arm_1, arm_2, v_n, v_t;
-  alignas(64) Lanes f_n, f_t, f_x, f_y, torque_1, torque_2;
+  // out: geometry, law, force on 1
+  alignas(64) Lanes n_x, n_y, overlap, v_n, v_t;
+  alignas(64) Lanes f_n, f_t, f_x, f_y;
+  // out: f_t overlap / 2, what the lever arms are shorter than the radii
+  alignas(64) Lanes short_torque;
 
   void set_material(int k, const ContactParameters& p) {
     k_n[k] = p.normal_stiffness;
@@ -32,67 +45,160 @@ struct ContactBatch {
     gamma_t[k] = p.tangential_damping;
     mu[k] = p.friction;
   }
+  bool touches(int k) const { return overlap[k] > 0; }
 };
 
-/// Whether all of the first `count` pairs touch, and none has a common centre, which leaves the normal
-/// undefined.
+/// The first `count` lanes are evaluated in groups of eight, which all processors like; those behind the last
+/// pair repeat it.
+constexpr int padded(int count) {
+  return (count + 7) / 8 * 8;
+}
+
+/// Whether any pair has begun or ceased to touch (of laws with a spring), and whether any has a common
+/// centre, which leaves the normal undefined.
 struct BatchState {
-  bool all_touch, all_defined;
+  bool any_changed, any_undefined;
 };
 
-/// Normal, overlap, lever arms and relative velocities at the contact points of the first `count` lanes.
+/// Places and motions of four pairs.
+template <Effects effects>
+[[gnu::always_inline]] inline void load_four_pairs(ContactBatch& c, int first, const DiscRow* discs,
+                                                   const DiscPair (&pairs)[4]) {
+  Four place[4], motion[4];
+  for (int m = 0; m < 4; ++m) {
+    const DiscRow &a = discs[pairs[m].i], &b = discs[pairs[m].j];
+    place[m] = b.place + sign_of_place * a.place;
+    motion[m] = a.motion + sign_of_motion * b.motion;
+  }
+  transpose(place[0], place[1], place[2], place[3]);
+  transpose(motion[0], motion[1], motion[2], motion[3]);
+  const auto store = [first](double* lanes, const Four& column) __attribute__((always_inline)) {
+    std::memcpy(__builtin_assume_aligned(lanes + first, 32), &column, sizeof column);
+  };
+  store(c.d_x, place[0]);
+  store(c.d_y, place[1]);
+  store(c.reach, place[2]);
+  store(c.radius_difference, place[3]);
+  store(c.w_x, motion[0]);
+  store(c.w_y, motion[1]);
+  if constexpr (effects.tangential != Tangential::none) {
+    store(c.spin, motion[2]);
+    store(c.rim_speed, motion[3]);
+  }
+}
+
+/// Places and motions of the pairs.
+template <Effects effects>
+[[gnu::always_inline]] inline void load_discs(ContactBatch& c, const DiscRow* discs, const DiscPair* pairs,
+                                              int count) {
+  int k = 0;
+  for (; k + 4 <= count; k += 4)
+    load_four_pairs<effects>(c, k, discs, {pairs[k], pairs[k + 1], pairs[k + 2], pairs[k + 3]});
+  const int last = count - 1;
+  for (; k < padded(count); k += 4) {
+    load_four_pairs<effects>(
+        c, k, discs,
+        {pairs[std::min(k, last)], pairs[std::min(k + 1, last)], pairs[std::min(k + 2, last)], pairs[last]});
+  }
+}
+
+/// Normal, overlap and relative velocities at the contact points.
 template <Effects effects>
 [[gnu::always_inline]] inline BatchState contact_geometry(ContactBatch& c, int count) {
-  for (int k = 0; k < count; ++k) {
+  const int all = padded(count);
+  for (int k = 0; k < all; ++k) {
     const double distance = std::sqrt(c.d_x[k] * c.d_x[k] + c.d_y[k] * c.d_y[k]);
     const double inverse = 1 / distance;
-    c.n_x[k] = c.d_x[k] * inverse;
-    c.n_y[k] = c.d_y[k] * inverse;
-    c.overlap[k] = c.a_1[k] + c.a_2[k] - distance;
-    c.arm_1[k] = c.a_1[k] - c.overlap[k] / 2;
-    c.arm_2[k] = c.a_2[k] - c.overlap[k] / 2;
-    c.v_n[k] = c.w_x[k] * c.n_x[k] + c.w_y[k] * c.n_y[k];
+    const double n_x = c.d_x[k] * inverse, n_y = c.d_y[k] * inverse;
+    c.n_x[k] = n_x;
+    c.n_y[k] = n_y;
+    c.overlap[k] = c.reach[k] - distance;
+    c.v_n[k] = c.w_x[k] * n_x + c.w_y[k] * n_y;
     if constexpr (effects.tangential != Tangential::none) {
-      c.v_t[k] =
-          c.w_y[k] * c.n_x[k] - c.w_x[k] * c.n_y[k] + c.omega_1[k] * c.arm_1[k] + c.omega_2[k] * c.arm_2[k];
+      // omega_1 c_1 + omega_2 c_2 with the lever arms c_i = a_i - overlap/2
+      const double rolling = c.rim_speed[k] - c.spin[k] * (c.overlap[k] / 2);
+      c.v_t[k] = c.w_y[k] * n_x - c.w_x[k] * n_y + rolling;
     }
   }
-  int apart = 0, undefined = 0;
-  for (int k = 0; k < count; ++k) {
-    apart += c.overlap[k] <= 0;
-    undefined += c.n_x[k] != c.n_x[k];
+  std::int64_t changed = 0, undefined = 0;
+  for (int k = 0; k < all; ++k) {
+    undefined |= c.n_x[k] != c.n_x[k] ? 1 : 0;
+    if constexpr (effects.spring()) changed |= (c.overlap[k] > 0 ? 1 : 0) ^ c.touched[k];
   }
-  return {apart == 0, undefined == 0};
+  return {changed != 0, undefined != 0};
 }
 
 /// Slip of the step [m] of contacts that touched before, from velocities that were predicted for this instant
 /// (slip_rate_of_half_step) or belong to the middle of the step, as the stock integrators leave them.
 [[gnu::always_inline]] inline void contact_slip(ContactBatch& c, int count, bool predicted, double dt) {
-  for (int k = 0; k < count; ++k) {
+  const int all = padded(count);
+  for (int k = 0; k < all; ++k) {
     const double rate = slip_rate_of_half_step(c.slip_rate[k], c.v_t[k]);
     c.slip_rate[k] = predicted ? rate : c.v_t[k];
     c.slip[k] = c.slip_rate[k] * dt;
   }
 }
 
+/// Spring and slip of a pair that began to touch in this step, or ceased to: a new spring is unstretched, and
+/// with predicted velocities it slips from the moment when the discs met.
+inline void begin_or_end_contact(ContactBatch& c, int k, bool predicted, double dt) {
+  c.xi[k] = 0;
+  c.slip_rate[k] = c.touches(k) ? c.v_t[k] : 0;
+  c.slip[k] = c.slip_rate[k] * dt;
+  if (predicted && dt > 0 && c.touches(k))
+    c.slip[k] = slip_since_onset({c.overlap[k], c.v_n[k], c.v_t[k], 0}, dt);
+}
+
 /// The law, after contact_geometry() and with the slip of each lane.
 template <Effects effects>
 [[gnu::always_inline]] inline void contact_forces(ContactBatch& c, int count) {
-  for (int k = 0; k < count; ++k) {
+  const int all = padded(count);
+  for (int k = 0; k < all; ++k) {
     const ContactParameters parameters{c.k_n[k], c.gamma_n[k], c.k_t[k], c.gamma_t[k], c.mu[k]};
     ContactState state{c.overlap[k], c.v_n[k], c.v_t[k], c.xi[k]};
-    if constexpr (effects.normal == Normal::hertz) state.reduced_radius = reduced_radius(c.a_1[k], c.a_2[k]);
+    if constexpr (effects.normal == Normal::hertz) {
+      const double a_1 = (c.reach[k] - c.radius_difference[k]) / 2;
+      state.reduced_radius = reduced_radius(a_1, c.reach[k] - a_1);
+    }
     const auto force = contact_force<effects>(parameters, state, c.slip[k]);
-    c.f_n[k] = force.f_n;
-    c.f_t[k] = force.f_t;
-    if constexpr (effects.spring()) c.xi[k] = force.xi;
-    c.f_x[k] = -force.f_n * c.n_x[k] - force.f_t * c.n_y[k];
-    c.f_y[k] = -force.f_n * c.n_y[k] + force.f_t * c.n_x[k];
-    if constexpr (effects.tangential != Tangential::none) {
-      c.torque_1[k] = c.arm_1[k] * force.f_t;
-      c.torque_2[k] = c.arm_2[k] * force.f_t;
+    const bool touches = c.overlap[k] > 0;
+    const double f_n = touches ? force.f_n : 0.0, f_t = touches ? force.f_t : 0.0;
+    c.f_n[k] = f_n;
+    c.f_t[k] = f_t;
+    c.f_x[k] = -f_n * c.n_x[k] - f_t * c.n_y[k];
+    c.f_y[k] = -f_n * c.n_y[k] + f_t * c.n_x[k];
+    if constexpr (effects.tangential != Tangential::none) c.short_torque[k] = f_t * (c.overlap[k] / 2);
+    if constexpr (effects.spring()) {
+      c.xi[k] = touches ? force.xi : 0.0;
+      c.slip_rate[k] = touches ? c.slip_rate[k] : 0.0;
     }
   }
+}
+
+/// Adds the forces of the lanes to the loads of both discs.
+template <Effects effects>
+[[gnu::always_inline]] inline void add_loads(const ContactBatch& c, const DiscPair* pairs, int count,
+                                             DiscLoad* loads) {
+  const auto add_four = [&](int k, int number) __attribute__((always_inline)) {
+    Four rows[4] = {};
+    const auto fetch = [k](Four & column, const double* lanes) __attribute__((always_inline)) {
+      std::memcpy(&column, __builtin_assume_aligned(lanes + k, 32), sizeof column);
+    };
+    fetch(rows[0], c.f_x);
+    fetch(rows[1], c.f_y);
+    if constexpr (effects.tangential != Tangential::none) {
+      fetch(rows[2], c.f_t);
+      fetch(rows[3], c.short_torque);
+    }
+    transpose(rows[0], rows[1], rows[2], rows[3]);
+    for (int m = 0; m < number; ++m) {
+      loads[pairs[k + m].i].sums += rows[m];
+      loads[pairs[k + m].j].sums += sign_of_load * rows[m];
+    }
+  };
+  int k = 0;
+  for (; k + 4 <= count; k += 4) add_four(k, 4);
+  if (k < count) add_four(k, count - k);
 }
 
 }  // namespace mikromakro::physics

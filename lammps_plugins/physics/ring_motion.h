@@ -16,6 +16,7 @@ namespace mikromakro::physics {
 // The radius in time (m).
 struct RadiusCourse : HalfCosine {
   [[nodiscard]] double radius(double time) const { return value(time); }
+  [[nodiscard]] bool is_over(double time) const { return time >= duration; }
 };
 
 // A ring at one instant; made once per ring and step, used for all its discs.

@@ -4,14 +4,13 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <mpi.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <cstdio>
 #include <map>
 #include <string>
 
-#include "couette_scene.h"
+#include "scene_script.h"
 #include "timer.h"
 
 namespace {
@@ -32,17 +31,23 @@ constexpr Law disc_laws[] = {{"disc/off", "model disc/linear tangential off"},
 /// Walls stand still in the pair benchmark: nothing moves them, so they need no fix.
 constexpr auto integration = "fix integrate free nve/sphere\nfix plane all enforce2d\n";
 
+struct Scene {
+  mikromakro::bench::DiscScene discs;
+  std::string data_file;
+};
+
 /// Seconds that the engine spent in the pair style during `steps` steps of the sheared cell.
-double pair_seconds(const Law& law, const std::string& restart_file, int steps) {
+double pair_seconds(const Law& law, const Scene& scene, int steps) {
   Engine engine;
-  mikromakro::bench::start_couette_cell(engine, restart_file, {law.pair_style, integration});
+  mikromakro::bench::read_scene(engine, scene.discs, scene.data_file, law.pair_style);
+  engine.run(integration);
   engine.run(fmt::format("run 100\nrun {}\n", steps));
   return engine.lammps().timer->array[TIME_PAIR];
 }
 
-void pair_time(benchmark::State& state, const Law& law, const std::string& restart_file) {
+void pair_time(benchmark::State& state, const Law& law, const Scene& scene) {
   constexpr int steps = 1000;
-  for (auto _ : state) state.SetIterationTime(pair_seconds(law, restart_file, steps) / steps);
+  for (auto _ : state) state.SetIterationTime(pair_seconds(law, scene, steps) / steps);
 }
 
 /// The console table, and the medians for the ratios.
@@ -72,12 +77,11 @@ int main(int argc, char** argv) {
   arguments.insert(arguments.begin() + 1, {repetitions.data(), interleaving.data(), aggregates.data()});
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
-  const std::string restart_file =
-      std::filesystem::temp_directory_path() / fmt::format("pair_loop_bench.{}", getpid());
-  mikromakro::bench::prepare_couette_cell(restart_file);
+  const Scene scene{mikromakro::bench::run_a(), mikromakro::bench::temporary_file("pair_loop_bench")};
+  mikromakro::bench::write_data_file(scene.discs, scene.data_file);
   for (const auto* laws : {&stock_laws, &disc_laws}) {
     for (const auto& law : *laws) {
-      benchmark::RegisterBenchmark(law.name, pair_time, law, restart_file)
+      benchmark::RegisterBenchmark(law.name, pair_time, law, scene)
           ->UseManualTime()
           ->Iterations(1)
           ->Unit(benchmark::kMicrosecond)
@@ -92,6 +96,6 @@ int main(int argc, char** argv) {
     fmt::print("pair loop, {} over {}: {:.1f}\n", stock_laws[k].name, disc_laws[k].name,
                medians[stock_laws[k].name] / medians[disc_laws[k].name]);
   }
-  std::filesystem::remove(restart_file);
+  std::remove(scene.data_file.c_str());
   MPI_Finalize();
 }

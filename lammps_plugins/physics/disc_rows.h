@@ -1,0 +1,58 @@
+// What a pair loop reads and writes of discs, as rows that lie side by side in memory and are moved four
+// numbers at a time.
+#pragma once
+
+#include <cstdint>
+
+namespace mikromakro::physics {
+
+/// Four numbers that are added and multiplied at the same time, on any processor.
+using Four [[gnu::vector_size(32), gnu::aligned(32)]] = double;
+
+/// What the pair loop reads of a disc: one cache line.
+struct alignas(64) DiscRow {
+  Four place;   // x, y, radius, radius [m]
+  Four motion;  // v_x, v_y [m/s], spin [1/s], spin times radius [m/s]
+
+  static DiscRow of(double x, double y, double radius) {
+    return DiscRow{Four{x, y, radius, radius}, Four{0, 0, 0, 0}};
+  }
+  double x() const { return place[0]; }
+  double y() const { return place[1]; }
+  double radius() const { return place[2]; }
+  void move_to(double x, double y) {
+    place[0] = x;
+    place[1] = y;
+  }
+  void set_motion(double v_x, double v_y, double spin) { motion = Four{v_x, v_y, spin, spin * place[2]}; }
+};
+
+/// What the contacts of a disc add up to: f_x, f_y, f_t [N] and f_t overlap / 2 [N m]. The lever arm of a
+/// contact is radius - overlap/2, so that the radius need not be known where the contacts are evaluated.
+struct alignas(32) DiscLoad {
+  Four sums{0, 0, 0, 0};
+
+  double f_x() const { return sums[0]; }
+  double f_y() const { return sums[1]; }
+  double torque(double radius) const { return radius * sums[2] - sums[3]; }
+};
+
+/// From 1 to 2 in places: d_x, d_y, sum and difference of the radii; of 1 against 2 in motions: differences
+/// of the velocities, sums of spins and of speeds at the rim. The load on 2 is that on 1 with other signs of
+/// the force.
+inline constexpr Four sign_of_place = {-1, -1, 1, -1}, sign_of_motion = {-1, -1, 1, 1},
+                      sign_of_load = {-1, -1, 1, 1};
+
+/// Rows to columns and back.
+[[gnu::always_inline]] inline void transpose(Four& a, Four& b, Four& c, Four& d) {
+  const Four low_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+  const Four high_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Four low_cd = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+  const Four high_cd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(low_ab, low_cd, 0, 1, 4, 5);
+  b = __builtin_shufflevector(high_ab, high_cd, 0, 1, 4, 5);
+  c = __builtin_shufflevector(low_ab, low_cd, 2, 3, 6, 7);
+  d = __builtin_shufflevector(high_ab, high_cd, 2, 3, 6, 7);
+}
+
+}  // namespace mikromakro::physics

@@ -1,0 +1,204 @@
+// Whole-step times of the paper's cell (run A) and of larger ones: stock LIGGGHTS, the disc styles, stock
+// LAMMPS, and the stand-alone loop of disc_reference.h, all from the same state, interleaved in one run.
+// Prints a Markdown table.
+//   build/bin/step_bench [run_a | NUMBER_OF_DISCS] [STEPS] [REPETITIONS]
+//   mpirun -n 2 build/bin/step_bench ...    adds the engine on both ranks
+#include <fmt/format.h>
+#include <mpi.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "disc_reference.h"
+#include "neighbor.h"
+#include "scene_script.h"
+#include "timer.h"
+#include "update.h"
+
+namespace mikromakro::bench {
+namespace {
+
+constexpr int warm_up = 100;
+
+struct Task {
+  const DiscScene& scene;
+  const std::string& data_file;
+  int steps;
+};
+
+/// One of those who run the race; measures microseconds per step.
+struct Contender {
+  std::string name;
+  int ranks;
+  std::function<double(const Task&)> measure;
+  std::vector<double> times = {};
+
+  double median() const {
+    auto sorted = times;
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t half = sorted.size() / 2;
+    return sorted.size() % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+  }
+  double least() const { return *std::min_element(times.begin(), times.end()); }
+  double most() const { return *std::max_element(times.begin(), times.end()); }
+};
+
+enum class Styles { stock, disc };
+
+double run_liggghts(const Task& task, Styles styles, MPI_Comm ranks) {
+  test::Engine engine(ranks);
+  const bool stock = styles == Styles::stock;
+  read_scene(engine, task.scene, task.data_file,
+             stock ? "model hooke/stiffness tangential history absolute_damping on tangential_damping off"
+                   : "model disc/linear tangential disc/cundall_strack");
+  engine.run(stock ? stock_integration(task.scene) : disc_integration(task.scene));
+  engine.run(fmt::format("run {}\nrun {}\n", warm_up, task.steps));
+  return engine.lammps().timer->array[TIME_LOOP] / task.steps * 1e6;
+}
+
+double run_reference(const Task& task) {
+  DiscReference reference(task.scene);
+  reference.run(warm_up);
+  const auto begin = std::chrono::steady_clock::now();
+  reference.run(task.steps);
+  const std::chrono::duration<double, std::micro> elapsed = std::chrono::steady_clock::now() - begin;
+  return elapsed.count() / task.steps;
+}
+
+/// The program of Debian's package `lammps`; without the variables of mpirun, which would make it one of its
+/// ranks.
+double run_lammps(const Task& task) {
+  const std::string script = temporary_file("lammps_script");
+  std::FILE* file = std::fopen(script.c_str(), "w");
+  std::fputs(lammps_script(task.scene, task.data_file, warm_up, task.steps).c_str(), file);
+  std::fclose(file);
+  std::FILE* output = popen(("env -i PATH=/usr/bin:/bin lmp -log none -in " + script).c_str(), "r");
+  char line[512];
+  double seconds = NAN;
+  std::string tail;
+  while (std::fgets(line, sizeof line, output)) {
+    std::sscanf(line, "Loop time of %lf", &seconds);  // that of the last run stays
+    tail = line;
+  }
+  pclose(output);
+  std::remove(script.c_str());
+  if (std::isnan(seconds)) throw std::runtime_error("lmp: expected 'Loop time of', got '" + tail + "'");
+  return seconds / task.steps * 1e6;
+}
+
+std::vector<Contender> contenders(int ranks) {
+  std::vector<Contender> all;
+  all.push_back(
+      {"stock LIGGGHTS", 1, [](const Task& t) { return run_liggghts(t, Styles::stock, MPI_COMM_SELF); }});
+  all.push_back({"stock LAMMPS", 1, run_lammps});
+  all.push_back(
+      {"disc styles", 1, [](const Task& t) { return run_liggghts(t, Styles::disc, MPI_COMM_SELF); }});
+  all.push_back({"stand-alone loop", 1, run_reference});
+  if (ranks > 1) {
+    all.push_back({"stock LIGGGHTS", ranks,
+                   [](const Task& t) { return run_liggghts(t, Styles::stock, MPI_COMM_WORLD); }});
+    all.push_back(
+        {"disc styles", ranks, [](const Task& t) { return run_liggghts(t, Styles::disc, MPI_COMM_WORLD); }});
+  }
+  return all;
+}
+
+/// Ranks that have nothing to do sleep, so that the one that works has the machine for itself.
+void wait_for_rank_0() {
+  int done = 0;
+  MPI_Request request;
+  MPI_Ibarrier(MPI_COMM_WORLD, &request);
+  while (!done) {
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (!done) usleep(2000);
+  }
+}
+
+void race(std::vector<Contender>& all, const Task& task, int repetitions) {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  for (int k = 0; k < repetitions; ++k) {
+    for (auto& contender : all) {
+      if (contender.ranks > 1 || rank == 0) contender.times.push_back(contender.measure(task));
+      wait_for_rank_0();
+    }
+  }
+}
+
+/// Kinetic energy of the free discs after `steps` steps of the disc styles and of the stand-alone loop.
+void compare_energies(const Task& task, int steps) {
+  test::Engine engine(MPI_COMM_SELF);
+  read_scene(engine, task.scene, task.data_file, "model disc/linear tangential disc/cundall_strack");
+  engine.run(disc_integration(task.scene) + fmt::format("run {}\n", steps));
+  double energy = 0;
+  for (const auto& [id, d] : engine.discs()) {
+    if (d.type < type_of_wheel)
+      energy += (d.mass * (d.v_x * d.v_x + d.v_y * d.v_y) + d.inertia() * d.omega * d.omega) / 2;
+  }
+  DiscReference reference(task.scene);
+  reference.run(steps);
+  fmt::print(
+      "\nAfter {} steps: {} contacts, {} neighbour pairs; kinetic energy {:.15g} J by the disc styles, "
+      "{:.15g} J by the stand-alone loop, relative difference {:.1e}.\n",
+      steps, reference.contacts(), reference.pairs(), energy, reference.kinetic_energy(),
+      std::abs(reference.kinetic_energy() / energy - 1));
+}
+
+void print_table(const std::vector<Contender>& all, const Task& task, int repetitions) {
+  fmt::print("\n{} free discs, {} wall discs; {} steps, median of {} runs in turn (least, most):\n\n",
+             task.scene.free_discs(), task.scene.discs.size() - task.scene.free_discs(), task.steps,
+             repetitions);
+  fmt::print("| program | ranks | us per step | least | most | over the disc styles on one rank |\n");
+  fmt::print("| --- | --- | --- | --- | --- | --- |\n");
+  for (const auto& c : all) {
+    fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.2f} |\n", c.name, c.ranks, c.median(), c.least(),
+               c.most(), c.median() / all[2].median());
+  }
+}
+
+int run(int argc, char** argv) {
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  const std::string size = argc > 1 ? argv[1] : "run_a";
+  const int steps = argc > 2 ? std::stoi(argv[2]) : 1000, repetitions = argc > 3 ? std::stoi(argv[3]) : 7;
+
+  DiscScene scene;
+  if (rank == 0) scene = size == "run_a" ? run_a() : large_cell(std::stoi(size));
+  std::string data_file = temporary_file("step_bench");
+  data_file.resize(256);
+  MPI_Bcast(data_file.data(), 256, MPI_CHAR, 0, MPI_COMM_WORLD);
+  data_file.resize(data_file.find('\0') == std::string::npos ? 256 : data_file.find('\0'));
+  double radii[2] = {scene.r_inner, scene.r_outer};
+  MPI_Bcast(radii, 2, MPI_DOUBLE, 0, MPI_COMM_WORLD);
+  scene.r_inner = radii[0], scene.r_outer = radii[1];
+  if (rank == 0) write_data_file(scene, data_file);
+  wait_for_rank_0();
+
+  const Task task{scene, data_file, steps};
+  auto all = contenders(ranks);
+  race(all, task, repetitions);
+  if (rank == 0) {
+    print_table(all, task, repetitions);
+    compare_energies(task, 1000);
+    std::remove(data_file.c_str());
+  }
+  wait_for_rank_0();
+  return 0;
+}
+
+}  // namespace
+}  // namespace mikromakro::bench
+
+int main(int argc, char** argv) {
+  MPI_Init(&argc, &argv);
+  const int result = mikromakro::bench::run(argc, argv);
+  MPI_Finalize();
+  return result;
+}
