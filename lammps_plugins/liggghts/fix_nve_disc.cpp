@@ -100,6 +100,7 @@ void FixNveDisc::begin_step() {
     x[1] += dt * v[1];
     if (predicted_) {
       half_steps_[i].values = Four{v[0], v[1], omega[2], kick};
+      spin_kicks_[i] = spin_kick;
       v[0] += dv_x;
       v[1] += dv_y;
       omega[2] += domega;
@@ -114,6 +115,7 @@ struct OpenStep {
   int count;
   double dt;
   Four* half_steps;
+  const double* spin_kicks;
   physics::DiscRow* discs;
   physics::DiscLoad* loads;
 };
@@ -128,8 +130,8 @@ FOR_EACH_PROCESSOR double move_discs(const OpenStep& step) {
     auto& disc = step.discs[i];
     auto& load = step.loads[i];
     const double radius = disc.radius(), kick = step.half_steps[i][3];
-    const double spin_kick = 2 * kick / (radius * radius);
-    const Four dv = Four{kick, kick, spin_kick, 0} * Four{load.f_x(), load.f_y(), load.torque(radius), 0};
+    const Four dv =
+        Four{kick, kick, step.spin_kicks[i], 0} * Four{load.f_x(), load.f_y(), load.torque(radius), 0};
     const Four half = step.half_steps[i] + dv + dv;
     step.half_steps[i] = half;
     disc.place += drift * half;
@@ -147,11 +149,9 @@ FOR_EACH_PROCESSOR double move_discs(const OpenStep& step) {
 void FixNveDisc::go_on() {
   if (!members_known_) find_members();
   static_assert(sizeof(HalfStep) == sizeof(Four));
-  const OpenStep step{members_.data(),
-                      static_cast<int>(members_.size()),
-                      update->dt,
-                      &half_steps_.data()->values,
-                      packed_->discs.data(),
+  const OpenStep step{members_.data(),      static_cast<int>(members_.size()),
+                      update->dt,           &half_steps_.data()->values,
+                      spin_kicks_.data(),   packed_->discs.data(),
                       packed_->loads.data()};
   packed_->furthest = std::max(packed_->furthest, std::sqrt(move_discs(step)) * step.dt);
   packed_->step = update->ntimestep;

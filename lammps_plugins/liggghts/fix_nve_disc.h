@@ -74,12 +74,12 @@ class FixNveDisc : public LAMMPS_NS::Fix {
   bool predicted_ = true;
   PairGranDisc* law_ = nullptr;
   PackedDiscs* packed_ = nullptr;
-  // Of each owned atom, between the two half-kicks and between the steps of an open state: v_x, v_y [m/s] and
-  // spin [1/s] of the half step, and dt / 2m, which turns a force into a half-kick.
+  // Of each owned atom, between the two half-kicks and between the steps of an open state.
   struct HalfStep {
-    physics::Four values;
+    physics::Four values;  // v_x, v_y [m/s], spin [1/s]; dt / 2m, which turns a force into a half-kick
   };
   std::vector<HalfStep> half_steps_;
+  std::vector<double> spin_kicks_;   // dt / 2I
   std::vector<int> members_;         // local numbers of the discs of the group
   std::vector<int> seen_elsewhere_;  // local numbers of discs that have ghosts
   bool members_known_ = false;

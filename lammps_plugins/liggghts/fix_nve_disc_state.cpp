@@ -62,6 +62,7 @@ void FixNveDisc::write_restart(FILE* file) {
 
 void FixNveDisc::grow_arrays(int nmax) {
   half_steps_.resize(nmax);
+  spin_kicks_.resize(nmax);
   last_forces_.grow(nmax);
 }
 
@@ -71,19 +72,22 @@ void FixNveDisc::set_arrays(int i) {
 
 void FixNveDisc::copy_arrays(int from, int to, int /*delflag*/) {
   half_steps_[to] = half_steps_[from];
+  spin_kicks_[to] = spin_kicks_[from];
   last_forces_.copy(from, to);
 }
 
 int FixNveDisc::pack_exchange(int i, double* buffer) {
   constexpr int size = sizeof(HalfStep) / sizeof(double);
   std::memcpy(buffer, &half_steps_[i], sizeof(HalfStep));
-  return size + last_forces_.pack(i, buffer + size);
+  buffer[size] = spin_kicks_[i];
+  return size + 1 + last_forces_.pack(i, buffer + size + 1);
 }
 
 int FixNveDisc::unpack_exchange(int i, double* buffer) {
   constexpr int size = sizeof(HalfStep) / sizeof(double);
   std::memcpy(&half_steps_[i], buffer, sizeof(HalfStep));
-  return size + last_forces_.unpack(i, buffer + size);
+  spin_kicks_[i] = buffer[size];
+  return size + 1 + last_forces_.unpack(i, buffer + size + 1);
 }
 
 int FixNveDisc::pack_restart(int i, double* buffer) {
@@ -107,7 +111,8 @@ int FixNveDisc::maxsize_restart() {
 }
 
 double FixNveDisc::memory_usage() {
-  return static_cast<double>(half_steps_.size() * sizeof(HalfStep)) + last_forces_.memory_usage();
+  return static_cast<double>(half_steps_.size() * (sizeof(HalfStep) + sizeof(double))) +
+         last_forces_.memory_usage();
 }
 
 }  // namespace mikromakro::liggghts

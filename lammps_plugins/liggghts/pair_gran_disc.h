@@ -94,6 +94,7 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   void choose_among(std::integer_sequence<int, numbers...> combinations);
   template <physics::Effects effects>
   void use_loops_of();
+  template <bool spins>
   void gather(int first);
   template <physics::Effects effects>
   void flatten(LAMMPS_NS::PairGran& pair);

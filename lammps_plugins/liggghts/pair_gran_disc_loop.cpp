@@ -77,6 +77,7 @@ void PairGranDisc::stop_at_coincident_centres(const ContactBatch& c, const DiscP
 
 /// Rows of the discs, owned or ghost, from number `first` on, from the engine's arrays, which would cost a
 /// cache line each for every neighbour. Notes how far any of them has moved.
+template <bool spins>
 void PairGranDisc::gather(int first) {
   const int count = atom->nlocal + atom->nghost;
   auto& discs = packed_.discs;
@@ -90,7 +91,7 @@ void PairGranDisc::gather(int first) {
     const double d_x = x[i][0] - discs[i].x(), d_y = x[i][1] - discs[i].y();
     furthest = std::max(furthest, d_x * d_x + d_y * d_y);
     discs[i] = DiscRow::of(x[i][0], x[i][1], atom->radius[i]);
-    discs[i].set_motion(v[i][0], v[i][1], omega[i][2]);
+    discs[i].set_motion(v[i][0], v[i][1], spins ? omega[i][2] : 0.0);
   }
   const double moved = std::max(std::sqrt(furthest), first > 0 ? packed_.furthest : 0.0);
   moved_ += moved;
@@ -129,7 +130,8 @@ void PairGranDisc::put_disc_into_engine(int i) {
   atom->x[i][1] = disc.y();
   atom->v[i][0] = disc.motion[0];
   atom->v[i][1] = disc.motion[1];
-  atom->omega[i][2] = disc.motion[2];
+  // Without friction spins do not change, and have not been read.
+  if (effects_.tangential != Tangential::none) atom->omega[i][2] = disc.motion[2];
 }
 
 void PairGranDisc::put_discs_into_engine() {
@@ -158,7 +160,9 @@ void PairGranDisc::close() {
   for (int i = 0; i < nlocal; ++i) {
     f[i][0] += packed_.loads[i].f_x();
     f[i][1] += packed_.loads[i].f_y();
-    torque[i][2] += packed_.loads[i].torque(packed_.discs[i].radius());
+  }
+  if (effects_.tangential != Tangential::none) {
+    for (int i = 0; i < nlocal; ++i) torque[i][2] += packed_.loads[i].torque(packed_.discs[i].radius());
   }
   std::fill(packed_.loads.begin(), packed_.loads.end(), DiscLoad{});
   packed_.open = false;
@@ -229,7 +233,7 @@ void PairGranDisc::remember_places() {
 template <Effects effects, bool observed>
 void PairGranDisc::loop(PairGran& pair, bool addflag) {
   const bool rows_are_there = packed_.step == update->ntimestep && neighbor->ago != 0;
-  gather(rows_are_there ? atom->nlocal : 0);
+  gather<effects.tangential != Tangential::none>(rows_are_there ? atom->nlocal : 0);
   const bool new_pairs = neighbor->ago == 0 || pairs_.empty();
   if (new_pairs) {
     flatten<effects>(pair);

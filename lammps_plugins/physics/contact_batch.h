@@ -78,7 +78,7 @@ template <Effects effects>
   store(c.d_x, place[0]);
   store(c.d_y, place[1]);
   store(c.reach, place[2]);
-  store(c.radius_difference, place[3]);
+  if constexpr (effects.normal == Normal::hertz) store(c.radius_difference, place[3]);
   store(c.w_x, motion[0]);
   store(c.w_y, motion[1]);
   if constexpr (effects.tangential != Tangential::none) {
