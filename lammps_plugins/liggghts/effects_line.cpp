@@ -43,8 +43,8 @@ std::vector<Effect> effects(const physics::Effects& law, const LAMMPS_NS::Modify
     return [name](const Fix* fix) { return std::strcmp(fix->style, name) == 0; };
   };
   const auto wall = [](const Fix* fix) {
-    return dynamic_cast<const WallContactSource*>(fix) != nullptr ||
-           std::strncmp(fix->style, "wall/gran", 9) == 0;
+    const auto* source = dynamic_cast<const WallContactSource*>(fix);
+    return (source && !source->wall_kinds().empty()) || std::strncmp(fix->style, "wall/gran", 9) == 0;
   };
   return {{law.normal == Normal::hertz ? "normal force of Hertz" : "linear normal force", true},
           {"normal dashpot", law.normal_dashpot},

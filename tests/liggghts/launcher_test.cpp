@@ -175,6 +175,24 @@ TEST_F(Launcher, ListsWhatIsSimulatedAndWhatIsNotInOneLineOfScreenAndLog) {
       "Effects simulated: normal force of Hertz, normal dashpot, friction with spring, tangential dashpot, "
       "cut-off of attraction, bottom friction, gravity; not simulated: smooth walls; dashpots see predicted "
       "velocities");
+  EXPECT_NE(
+      line_of("disc/linear tangential off",
+              "fix integrate all nve/disc\nfix box all biaxial/2d type 1 left -0.04 fixed right 0.04 fixed "
+              "bottom -0.04 fixed top 0.04 fixed\n",
+              1)
+          .find("normal dashpot, smooth walls; not simulated: "),
+      std::string::npos);
+  // The rings of a rough cell are discs.
+  EXPECT_NE(
+      line_of("disc/linear tangential off",
+              "create_ring 0 0 0.01 number 4 type 1 radius 0.001 density 6\ngroup inner id 3:6\n"
+              "create_ring 0 0 0.04 number 4 type 1 radius 0.001 density 6\ngroup outer id 7:10\n"
+              "group rings union inner outer\ngroup free subtract all rings\n"
+              "fix integrate free nve/disc\nfix cell rings couette/2d center 0 0 inner rough inner 0.01 "
+              "outer rough outer 0.04 omega_inner 1\n",
+              1)
+          .find("gravity, smooth walls; "),
+      std::string::npos);
   EXPECT_NE(line_of("disc/linear tangential disc/viscous", "fix integrate all nve/disc\n", 1)
                 .find("normal dashpot, friction by Eq. 1; not simulated: tangential dashpot, "),
             std::string::npos);
