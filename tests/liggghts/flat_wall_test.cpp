@@ -164,6 +164,21 @@ TEST(GrazingDisc, GainsNoEnergy) {
   }
 }
 
+// Without dashpots the set-up repeats the forces of the last step, so that a run may be cut: no tolerance.
+TEST(SetUpOfARunAtAWall, NeitherMovesTheSpringNorForgetsTheSlip) {
+  const auto contact_after = [](const std::string& runs) {
+    Engine engine;
+    engine.run(box(spring, {.k_n = k_n, .gamma_n = 0}) + disc(1, 0, a - 1e-5, a, density) +
+               motion(1, 0.01, 0) + walls() + "timestep 2e-5\n" + runs);
+    return engine.contacts().at({-3, 1});
+  };
+  const auto whole = contact_after("run 40\n"), cut = contact_after("run 20\nrun 20\n");
+  ASSERT_NE(whole.xi, 0);
+  EXPECT_EQ(whole.xi, cut.xi);
+  EXPECT_EQ(whole.f_t, cut.f_t);
+  EXPECT_EQ(whole.overlap, cut.overlap);
+}
+
 constexpr double angle = 0.3;  // tan = 0.31, below mu = 0.44
 
 // A free disc rolls; the stock `fix nve` leaves its spin alone, so that the disc slides like a block.
