@@ -51,6 +51,16 @@ TEST(Biaxial, StrainControlledWallsFollowTheirCourse) {
   EXPECT_EQ(value(engine, 8), 0.0);
 }
 
+// The neighbour list is not built again, as no disc moves, while the wall comes from ten times the skin away.
+TEST(Biaxial, AMovingWallFindsDiscsAtRest) {
+  Engine engine;
+  engine.run(box() + disc(1, 0, 0, a) +
+             walls("left -0.1 fixed right 0.015 strain rate -1 bottom -0.1 fixed top 0.1 fixed") +
+             "run 253\n");
+  EXPECT_TRUE(engine.contacts().contains({-2, 1}));
+  EXPECT_LT(engine.discs().at(1).v_x, 0);
+}
+
 // Without discs at the right wall its acceleration is -p L H/m = -50 * 0.2 * 0.01/0.2 = -0.5 m/s^2, and it is
 // left to velocity Verlet, which is exact.
 TEST(Biaxial, StressControlledWallFallsFreely) {

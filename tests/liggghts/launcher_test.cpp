@@ -152,7 +152,7 @@ TEST_F(Launcher, ListsWhatIsSimulatedAndWhatIsNotInOneLineOfScreenAndLog) {
                                    ranks, "-log my.log");
     EXPECT_EQ(ending.lines_with("Effects simulated: "), 1U) << ending.output;
     const auto begin = ending.output.find("Effects simulated: ");
-    const auto line = ending.output.substr(begin, ending.output.find('\n', begin) - begin);
+    auto line = ending.output.substr(begin, ending.output.find('\n', begin) - begin);
     std::ifstream log(folder_ / "my.log");
     std::stringstream text;
     text << log.rdbuf();
