@@ -19,7 +19,7 @@ namespace {
 
 struct Law {
   std::string what, pair_style;
-  std::string also = "";          // lines before the run
+  std::string also = {};          // lines before the run
   bool stock_integrator = false;  // which leaves no state open, so that loops may be compared alone
   std::vector<double> pair_times = {}, step_times = {};
   double bytes_per_contact = 0;

@@ -168,7 +168,7 @@ void throughput(int repetitions) {
     for (const int threads : {1, 2})
       cases.push_back(
           {fmt::format("{}, read and averaged, {} thread{}", name, threads, threads > 1 ? "s" : ""),
-           [&averager, source, threads] { average_all(source, averager, threads); }});
+           [&averager, source = source, threads] { average_all(source, averager, threads); }});
   measure(cases, repetitions);
   fmt::print(
       "{} frames of 3800 discs and 4700 contacts, {:.1f} MB of text, {} repetitions (checksum {:.3g})\n",
