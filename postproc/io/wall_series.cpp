@@ -49,8 +49,8 @@ void WallSeries::add(const std::vector<WallState>& walls, std::uint64_t frame, c
   }
   for (auto& [name, series] : values_) {
     const std::uint64_t width = series.shape().back();
-    const auto wall =
-        std::find_if(walls.begin(), walls.end(), [&](const WallState& w) { return w.name == name; });
+    const auto wall = std::find_if(walls.begin(), walls.end(),
+                                   [&name = name](const WallState& w) { return w.name == name; });
     const std::vector<double> numbers =
         wall == walls.end() ? std::vector<double>(width, not_given) : wall->numbers;
     series.reach({frame + 1, width});
