@@ -1,0 +1,101 @@
+// While nobody looks between two steps, state waits in rows beside the engine's arrays: it must be the same
+// state, to the last bit, as where somebody looks at every step, or acts within every step; on any number of
+// ranks.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "engine.h"
+#include "neighbor.h"
+#include "pair_gran_disc.h"
+
+namespace mikromakro::test {
+namespace {
+
+struct Outcome {
+  std::map<int, Disc> discs;
+  std::map<std::pair<int, int>, Contact> contacts;
+  int lists_built;
+};
+
+/// A ring cell that is pressed together and sheared so fast that neighbour lists are built several times; the
+/// outer ring comes to rest after 600 of 1000 steps. `lines`: what else there is.
+Outcome shear(const std::string& tangential, const std::string& lines) {
+  Engine engine;
+  engine.run(scene("model disc/linear tangential " + tangential, {}, 0.12, 4, "f f p", "0.0006"));
+  engine.run(
+      "create_ring 0 0 0.04 number 40 type 3 radius 0.0025 density 6.36\n"
+      "create_ring 0 0 0.1 number 110 type 4 radius 0.0025 density 6.36\n"
+      "create_discs ring 0 0 0.04 0.1 seed 7 density 6.36 velocity 0.3 discs 200 1 0.004 discs 30 2 0.005\n"
+      "group inner type 3\ngroup outer type 4\ngroup wall type 3 4\ngroup free type 1 2\n"
+      "neigh_modify exclude group wall wall\ntimestep 4e-5\nfix integrate free nve/disc\n"
+      "compute contacts all contact/disc\n"
+      "fix cell wall couette/2d center 0 0 inner rough inner 0.04 outer rough outer 0.1 omega_inner 4 "
+      "compact 0.08 0.024\n");
+  engine.run(lines + "run 1000\n");
+  return {engine.discs(), engine.contacts(), static_cast<int>(engine.lammps().neighbor->ncalls)};
+}
+
+void expect_same_bits(const Outcome& a, const Outcome& b) {
+  ASSERT_EQ(a.discs.size(), b.discs.size());
+  for (const auto& [id, d] : a.discs) {
+    const auto& e = b.discs.at(id);
+    EXPECT_EQ(d.x, e.x) << id;
+    EXPECT_EQ(d.y, e.y) << id;
+    EXPECT_EQ(d.v_x, e.v_x) << id;
+    EXPECT_EQ(d.v_y, e.v_y) << id;
+    EXPECT_EQ(d.omega, e.omega) << id;
+    EXPECT_EQ(d.f_x, e.f_x) << id;
+    EXPECT_EQ(d.torque, e.torque) << id;
+  }
+  ASSERT_EQ(a.contacts.size(), b.contacts.size());
+  for (const auto& [ids, c] : a.contacts) EXPECT_EQ(c.xi, b.contacts.at(ids).xi) << ids.first;
+}
+
+const std::string look_at_each_step = "compute energy all ke\nfix look all ave/time 1 1 1 c_energy\n";
+const std::string look_at_each_third = "compute energy all ke\nfix look all ave/time 3 1 3 c_energy\n";
+const std::string act_in_each_step = "fix nothing free addforce 0 0 0\n";
+
+class OpenState : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(OfEachLaw, OpenState,
+                         testing::Values("off", "disc/viscous", "disc/cundall_strack",
+                                         "disc/cundall_strack tangential_damping on"),
+                         [](const auto& info) { return "law_" + std::to_string(info.index); });
+
+// No tolerance: the same arithmetic on the same numbers.
+TEST_P(OpenState, IsTheStateThatIsLookedAt) {
+  const auto open = shear(GetParam(), ""), closed = shear(GetParam(), look_at_each_step);
+  EXPECT_GT(open.lists_built, 5);
+  EXPECT_GT(open.contacts.size(), 200);
+  EXPECT_EQ(open.lists_built, closed.lists_built);
+  expect_same_bits(open, closed);
+  expect_same_bits(open, shear(GetParam(), look_at_each_third));
+}
+
+TEST_P(OpenState, IsTheStateInWhichOthersAct) {
+  expect_same_bits(shear(GetParam(), ""), shear(GetParam(), act_in_each_step));
+}
+
+// The file that is written on the way changes when neighbour lists are built, in both runs alike.
+TEST_P(OpenState, IsWrittenToRestartFiles) {
+  const std::string start = testing::TempDir() + "open_state_" + std::to_string(getpid()) + "_";
+  const auto restarts = "restart 400 " + start + "*\n";
+  expect_same_bits(shear(GetParam(), restarts), shear(GetParam(), restarts + look_at_each_step));
+  for (const char* step : {"400", "800"}) std::remove((start + step).c_str());
+}
+
+TEST(OpenStateOrNot, DependsOnWhoActsWithinAStep) {
+  Engine engine;
+  engine.run(scene("model disc/linear tangential off", {}, 0.1));
+  engine.run(disc(1, 0, 0, 0.005) + disc(2, 0.009, 0, 0.005) + "fix integrate all nve/disc\nrun 0\n");
+  const auto& packed = liggghts::active_disc_law(engine.lammps())->packed_discs();
+  EXPECT_TRUE(packed.may_stay_open);
+  engine.run("fix fall all gravity 9.81 vector 0 -1 0\nrun 1\n");
+  EXPECT_FALSE(packed.may_stay_open);
+  engine.run("unfix fall\nrun 1\n");
+  EXPECT_TRUE(packed.may_stay_open);
+}
+
+}  // namespace
+}  // namespace mikromakro::test
