@@ -38,6 +38,7 @@ Hdf5Shape summed_chunks(const Hdf5Dataset& dataset, const Hdf5Shape& shape) {
 ChunkReader::ChunkReader(Hdf5Dataset dataset) : dataset_(std::move(dataset)) {
   const Hdf5Shape shape = dataset_.shape();
   axis_ = shape.size() == 1 ? 0 : 1;
+  places_ = shape.size() > 1 ? shape[1] : 0;
   per_place_ = shape.size() == 3 ? shape[2] : 1;
   const Hdf5Id type(H5Dget_type(dataset_.id()), H5Tclose);
   const bool real = H5Tequal(type.get(), H5T_NATIVE_DOUBLE) > 0;

@@ -16,6 +16,9 @@ class ChunkReader {
   /// 1, 2 or 3 dimensions. Throws what cannot be read.
   explicit ChunkReader(Hdf5Dataset dataset);
 
+  /// Of each row, where there are two or three dimensions.
+  std::uint64_t places() const { return places_; }
+
   /// The numbers of a dataset of one dimension from `begin` on.
   PackedNumbers take(std::uint64_t begin, std::uint64_t count);
   /// The first numbers of a row of a dataset of two or three dimensions: those of `count` places.
@@ -27,6 +30,7 @@ class ChunkReader {
   std::shared_ptr<const PackedChunk> read_block(const Hdf5Block& block) const;
 
   Hdf5Dataset dataset_;
+  std::uint64_t places_ = 0;
   std::size_t axis_ = 0;         // the dimension along which is read
   std::uint64_t per_place_ = 1;  // numbers for each place along it
   PackedNumbers::Kind kind_ = PackedNumbers::Kind::real;

@@ -142,9 +142,11 @@ void Hdf5Dataset::write_raw(const Hdf5Block& block, Hdf5Type type, const void* n
     cannot_write(place_);
 }
 
-Hdf5File Hdf5File::create(const std::string& file) {
+Hdf5File Hdf5File::create(const std::string& file, bool paged) {
   silence();
-  Hdf5Id id(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, newer_layout().get()), H5Fclose);
+  const Hdf5Id list(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  if (paged) H5Pset_file_space_strategy(list.get(), H5F_FSPACE_STRATEGY_PAGE, false, 1);
+  Hdf5Id id(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, list.get(), newer_layout().get()), H5Fclose);
   if (id.get() < 0) cannot_write(file);
   return {std::move(id), file};
 }

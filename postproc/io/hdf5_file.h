@@ -92,7 +92,10 @@ class Hdf5Dataset {
 class Hdf5File {
  public:
   /// Throws when it cannot be made or is no complete HDF5 file.
-  static Hdf5File create(const std::string& file);
+  /// `paged`: what HDF5 writes about its datasets lies within pages of 4096 bytes, none across two. The
+  /// system copies a write page by page, and a process that is killed between two pages would leave a wrong
+  /// sum there.
+  static Hdf5File create(const std::string& file, bool paged = false);
   /// To read, also while somebody appends to it or after he was killed while he did.
   static Hdf5File open(const std::string& file);
   /// To append to the datasets that are there, by one process, while others may read (HDF5's "single writer,

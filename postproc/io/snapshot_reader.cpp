@@ -197,8 +197,11 @@ UnpackFrame SnapshotReader::take() {
   packed->particles_given = summary.particles_given;
   for (std::size_t i = 0; i < std::size(snapshot::elements); ++i) {
     const bool given = (snapshot::elements[i].columns() & ~summary.particles_given) == 0;
-    packed->elements.push_back(given ? open_->elements[i].take_row(frame, summary.most_particles)
-                                     : PackedNumbers());
+    // A frame with more discs than any before it, if it is not complete yet, has widened only some of them.
+    ChunkReader& element = open_->elements[i];
+    packed->elements.push_back(
+        given ? element.take_row(frame, std::min(summary.most_particles, element.places()))
+              : PackedNumbers());
   }
   packed->with_contacts = !summary.contact_offsets.empty();
   if (packed->with_contacts) {
@@ -236,6 +239,9 @@ void SnapshotReader::Packed::unpack_particles(RawFrame& frame) const {
     numbers.resize(elements[i].size());
     elements[i].unpack(numbers);
     const auto width = static_cast<std::size_t>(element.width);
+    if (numbers.size() < count * width)
+      throw bad_input({place}, fmt::format("{} is not there for all discs", element.name),
+                      fmt::format("{} discs", count), fmt::format("{}", numbers.size() / width));
     const auto first = static_cast<std::size_t>(element.first);
     for (std::size_t disc = 0; disc < count; ++disc)
       for (std::size_t axis = 0; axis < width; ++axis)

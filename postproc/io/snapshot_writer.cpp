@@ -52,7 +52,7 @@ SnapshotWriter::SnapshotWriter(const std::string& file, const std::string& progr
     : file_(Hdf5File::create(file)), program_(program), time_step_(time_step) {}
 
 SnapshotWriter::SnapshotWriter(const std::string& file, const std::string& program, Use use)
-    : file_(Hdf5File::create(file)), program_(program), use_(use) {}
+    : file_(Hdf5File::create(file, use == Use::running)), program_(program), use_(use) {}
 
 SnapshotWriter::SnapshotWriter(Hdf5File file, const std::string& name)
     : file_(std::move(file)), use_(Use::running) {

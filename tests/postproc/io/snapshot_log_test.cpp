@@ -1,17 +1,15 @@
 // The snapshot file of a run: continued, read meanwhile, and after its writer was killed at any moment.
 #include "io/snapshot_log.h"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <random>
-#include <thread>
 
 #include "io/snapshot_reader.h"
 #include "text_file.h"
@@ -190,6 +188,41 @@ bool read_until(const std::string& file, std::size_t frames) {
   }
 }
 
+/// Another process that does `action`; it ends with this object, whatever happens to the test.
+class Child {
+ public:
+  /// The exit code is what the action gives, 1 if it throws.
+  explicit Child(const std::function<int()>& action) : id_(fork()) {
+    if (id_ != 0) return;
+    int code = 1;
+    try {
+      code = action();
+    } catch (const Error& error) {
+      std::printf("%s\n", error.what());
+      std::fflush(stdout);
+    }
+    _exit(code);
+  }
+  ~Child() {
+    if (id_ <= 0) return;
+    kill(id_, SIGKILL);
+    waitpid(id_, nullptr, 0);
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// The code of an exit, -1 where a signal came first.
+  int exit_code() {
+    int status = 0;
+    waitpid(id_, &status, 0);
+    id_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  pid_t id_;
+};
+
 // A reader has the file open all the time, as a notebook might, and another one reads it again and again.
 TEST(SnapshotLog, IsReadWhileItIsWritten) {
   const Folder folder;
@@ -197,68 +230,83 @@ TEST(SnapshotLog, IsReadWhileItIsWritten) {
   constexpr std::int64_t last = 30;
   SnapshotLog log(file, "test 1", parameters());
   log.add(frame_at(0));
-  const pid_t holder = fork();
-  if (holder == 0) {
+  const Child holder([&] {
     const Hdf5File held = Hdf5File::open(file);
     pause();
-  }
-  const pid_t reader = fork();
-  if (reader == 0) _exit(read_until(file, last + 1) ? 0 : 1);
+    return 0;
+  });
+  Child reader([&] { return read_until(file, last + 1) ? 0 : 1; });
   for (std::int64_t step = 1; step <= last; ++step) log.add(frame_at(step));
-  int status = 0;
-  waitpid(reader, &status, 0);
-  kill(holder, SIGKILL);
-  waitpid(holder, nullptr, 0);
-  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  EXPECT_EQ(reader.exit_code(), 0);
 }
 
-/// Continues the file in a process of its own, until that is killed after `life`.
-void write_and_be_killed(const std::string& file, std::int64_t last_step, std::chrono::microseconds life) {
-  const pid_t child = fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) {
+// HDF5 changes files by pwrite and ftruncate; those of this program, below, come before the C library's. Each
+// change counts down, and the process is killed at the one that would be number 0: before it, or where it
+// reaches over the end of a page of the file, after that, as the system may do.
+struct KillPoint {
+  long change = -1;  // never
+  bool within = false;
+};
+KillPoint kill_point;
+constexpr off_t page = 4096;
+
+/// The bytes of a change that are written before the kill; all that are wanted where there is none.
+size_t bytes_before_kill(size_t wanted, off_t at) {
+  if (kill_point.change < 0 || --kill_point.change >= 0) return wanted;
+  const auto in_page = static_cast<size_t>(page - at % page);
+  return kill_point.within && in_page < wanted ? in_page : 0;
+}
+
+/// Continues the file by two frames in a process that is killed at the given
+/// change of the file. Whether it came to its end before.
+bool continued(const std::string& file, const KillPoint& at) {
+  const std::int64_t last = steps_of(file).back();
+  Child writer([&] {
+    kill_point = at;
     SnapshotLog log(file, "test 1", parameters());
-    log.resume(frame_at(last_step));
-    for (std::int64_t step = last_step;; ++step) log.add(frame_at(step));
-  }
-  std::this_thread::sleep_for(life);
-  kill(child, SIGKILL);
-  int status = 0;
-  waitpid(child, &status, 0);
-  ASSERT_TRUE(WIFSIGNALED(status)) << "the writer ended by itself";
+    log.resume(frame_at(last));
+    for (const std::int64_t step : {last + 1, last + 2}) log.add(frame_at(step));
+    return 0;
+  });
+  const int code = writer.exit_code();
+  EXPECT_LE(code, 0) << "change " << at.change;
+  const auto now = steps_of(file);
+  EXPECT_EQ(now, from_to(0, std::ssize(now) - 1));
+  EXPECT_GE(now.back(), last);
+  return code == 0;
 }
 
-/// The marks are in the 12th byte of the file (HDF5 File Format Specification, superblock version 3).
-bool marked_as_written(const std::string& file) {
-  return read_text(file).at(11) != 0;
-}
-
-// Within 1 to 60 ms the writer adds some frames; kills fall into every part of its work.
-TEST(SnapshotLog, CompleteFramesSurviveAKillAtAnyMoment) {
+// Twice in succession, so that the second kill falls into what mends the file after the first one too.
+TEST(SnapshotLog, CompleteFramesSurviveKillsAtEveryChangeOfTheFile) {
   const Folder folder;
   const std::string file = folder.path("s.h5");
-  std::mt19937 generator(7);
-  std::vector<std::int64_t> steps;
-  SnapshotLog(file, "test 1", parameters()).add(frame_at(0));
-  const char* wished = std::getenv("MIKROMAKRO_KILLS");
-  const int kills = wished != nullptr ? std::atoi(wished) : 12;
-  int within = 0;
-  for (int k = 0; k < kills; ++k) {
-    const std::int64_t last = steps.empty() ? 0 : steps.back();
-    write_and_be_killed(file, last, std::chrono::microseconds(1000 + generator() % 60000));
-    const auto now = steps_of(file, steps.empty() ? 0 : steps.size() - 1);
-    ASSERT_GE(now.size(), steps.size());
-    ASSERT_EQ(now, from_to(0, static_cast<std::int64_t>(now.size()) - 1));
-    steps = now;
-    within += marked_as_written(file) ? 1 : 0;
-    if (HasFatalFailure()) return;
+  long changes = 0;
+  for (bool over = false; !over && !HasFailure(); ++changes) {
+    std::filesystem::remove(file);
+    SnapshotLog(file, "test 1", parameters()).add(frame_at(0));
+    over = continued(file, {changes, changes % 2 == 0});
+    continued(file, {7 * changes % 290, true});
+    steps_of(file);
   }
-  std::printf("%d of %d kills were in the middle of a frame, %zu frames are complete\n", within, kills,
-              steps.size());
-  steps_of(file);
-  EXPECT_GT(within, 0);
-  EXPECT_GT(steps.size(), 10U);
+  EXPECT_GT(changes, 100);
+  EXPECT_TRUE(continued(file, {}));
 }
 
 }  // namespace
 }  // namespace mikromakro
+
+extern "C" ssize_t pwrite(int file, const void* bytes, size_t wanted, off_t at) {
+  using Write = ssize_t (*)(int, const void*, size_t, off_t);
+  static const auto write = reinterpret_cast<Write>(dlsym(RTLD_NEXT, "pwrite"));
+  const size_t size = mikromakro::bytes_before_kill(wanted, at);
+  const ssize_t written = write(file, bytes, size, at);
+  if (size < wanted) kill(getpid(), SIGKILL);
+  return written;
+}
+
+extern "C" int ftruncate(int file, off_t length) noexcept {
+  using Truncate = int (*)(int, off_t);
+  static const auto truncate = reinterpret_cast<Truncate>(dlsym(RTLD_NEXT, "ftruncate"));
+  if (mikromakro::bytes_before_kill(1, 0) == 0) kill(getpid(), SIGKILL);
+  return truncate(file, length);
+}
