@@ -85,9 +85,10 @@ Hdf5Id open_after_kill(const std::string& file, const Hdf5Id& access) {
   return id;
 }
 
-Hdf5Id with_groups() {
-  Hdf5Id list(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(list.get(), 1);
+// A list of properties for a new object: the same content makes the same file at any time.
+Hdf5Id without_times(hid_t kind) {
+  Hdf5Id list(H5Pcreate(kind), H5Pclose);
+  H5Pset_obj_track_times(list.get(), false);
   return list;
 }
 
@@ -144,7 +145,7 @@ void Hdf5Dataset::write_raw(const Hdf5Block& block, Hdf5Type type, const void* n
 
 Hdf5File Hdf5File::create(const std::string& file, bool paged) {
   silence();
-  const Hdf5Id list(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  const Hdf5Id list = without_times(H5P_FILE_CREATE);
   if (paged) H5Pset_file_space_strategy(list.get(), H5F_FSPACE_STRATEGY_PAGE, false, 1);
   Hdf5Id id(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, list.get(), newer_layout().get()), H5Fclose);
   if (id.get() < 0) cannot_write(file);
@@ -182,25 +183,27 @@ bool Hdf5File::has(const std::string& path) const {
 
 Hdf5Dataset Hdf5File::add_growing(const std::string& path, Hdf5Type type, const Hdf5Shape& chunk,
                                   std::int64_t fill, bool checked) {
+  add_groups_above(path);
   const std::vector<hsize_t> none(chunk.size(), 0);
   const std::vector<hsize_t> any(chunk.size(), H5S_UNLIMITED);
   const int rank = static_cast<int>(chunk.size());
   const Hdf5Id space(H5Screate_simple(rank, none.data(), any.data()), H5Sclose);
-  const Hdf5Id list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  const Hdf5Id list = without_times(H5P_DATASET_CREATE);
   H5Pset_chunk(list.get(), rank, chunk.data());
   if (checked) H5Pset_fletcher32(list.get());
   if (type == Hdf5Type::integer) H5Pset_fill_value(list.get(), H5T_NATIVE_INT64, &fill);
-  Hdf5Id id(H5Dcreate2(id_.get(), path.c_str(), in_file(type), space.get(), with_groups().get(), list.get(),
-                       H5P_DEFAULT),
-            H5Dclose);
+  Hdf5Id id(
+      H5Dcreate2(id_.get(), path.c_str(), in_file(type), space.get(), H5P_DEFAULT, list.get(), H5P_DEFAULT),
+      H5Dclose);
   if (id.get() < 0) cannot_write(file_);
   return {std::move(id), fmt::format("{}:{}", file_, path)};
 }
 
 Hdf5Dataset Hdf5File::add_fixed(const std::string& path, Hdf5Type type, const Hdf5Shape& shape) {
+  add_groups_above(path);
   const Hdf5Id space = space_of(shape);
-  Hdf5Id id(H5Dcreate2(id_.get(), path.c_str(), in_file(type), space.get(), with_groups().get(), H5P_DEFAULT,
-                       H5P_DEFAULT),
+  Hdf5Id id(H5Dcreate2(id_.get(), path.c_str(), in_file(type), space.get(), H5P_DEFAULT,
+                       without_times(H5P_DATASET_CREATE).get(), H5P_DEFAULT),
             H5Dclose);
   if (id.get() < 0) cannot_write(file_);
   return {std::move(id), fmt::format("{}:{}", file_, path)};
@@ -212,15 +215,24 @@ Hdf5Dataset Hdf5File::dataset(const std::string& path) const {
   return {std::move(id), fmt::format("{}:{}", file_, path)};
 }
 
+// HDF5's own making of groups on the way would give them times.
+void Hdf5File::add_groups_above(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  if (slash != std::string::npos && slash > 0 && !has(path.substr(0, slash)))
+    add_group(path.substr(0, slash));
+}
+
 void Hdf5File::add_group(const std::string& path) {
-  const Hdf5Id id(H5Gcreate2(id_.get(), path.c_str(), with_groups().get(), H5P_DEFAULT, H5P_DEFAULT),
-                  H5Gclose);
+  add_groups_above(path);
+  const Hdf5Id id(
+      H5Gcreate2(id_.get(), path.c_str(), H5P_DEFAULT, without_times(H5P_GROUP_CREATE).get(), H5P_DEFAULT),
+      H5Gclose);
   if (id.get() < 0) cannot_write(file_);
 }
 
 void Hdf5File::link(const std::string& existing, const std::string& path) {
-  if (H5Lcreate_hard(id_.get(), existing.c_str(), id_.get(), path.c_str(), with_groups().get(), H5P_DEFAULT) <
-      0)
+  add_groups_above(path);
+  if (H5Lcreate_hard(id_.get(), existing.c_str(), id_.get(), path.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0)
     cannot_write(file_);
 }
 
@@ -263,6 +275,16 @@ bool Hdf5File::has_attribute(const std::string& path, const std::string& name) c
 void Hdf5File::short_attribute(const std::string& path, const std::string& name, const std::string& value) {
   const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose);
   add_attribute(path, name, space, text_type(value.size(), H5T_CSET_ASCII).get(), value.data());
+}
+
+std::vector<std::int64_t> Hdf5File::number_attribute(const std::string& path, const std::string& name) const {
+  const Hdf5Id id(H5Aopen_by_name(id_.get(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  const Hdf5Id space(H5Aget_space(id.get()), H5Sclose);
+  const auto count = H5Sget_simple_extent_npoints(space.get());
+  std::vector<std::int64_t> numbers(count > 0 ? static_cast<std::size_t>(count) : 0);
+  if (count < 0 || H5Aread(id.get(), H5T_NATIVE_INT64, numbers.data()) < 0)
+    cannot_read(fmt::format("{}:{}@{}", file_, path, name));
+  return numbers;
 }
 
 std::vector<std::string> Hdf5File::text_attribute(const std::string& path, const std::string& name) const {

@@ -130,6 +130,7 @@ class Hdf5File {
   /// Fixed-length ASCII, as VTK wants it.
   void short_attribute(const std::string& path, const std::string& name, const std::string& value);
   std::vector<std::string> text_attribute(const std::string& path, const std::string& name) const;
+  std::vector<std::int64_t> number_attribute(const std::string& path, const std::string& name) const;
 
   /// Hands everything over to the operating system, metadata after the numbers that they point to.
   void flush();
@@ -137,6 +138,7 @@ class Hdf5File {
   void close();
 
  private:
+  void add_groups_above(const std::string& path);
   Hdf5File(Hdf5Id id, std::string file) : id_(std::move(id)), file_(std::move(file)) {}
   Hdf5Dataset add_fixed(const std::string& path, Hdf5Type type, const Hdf5Shape& shape);
   void add_attribute(const std::string& path, const std::string& name, const Hdf5Id& space, std::int64_t type,

@@ -88,12 +88,12 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
 struct Boxes {
   Boxes(const Hdf5File& file, const SnapshotSummary& summary, const std::string& name)
       : low(all_corners(file, "low", summary)), edges(all_corners(file, "edges", summary)) {
-    const auto boundary = file.text_attribute("/particles/discs/box", "boundary");
+    const auto numbers = file.number_attribute(snapshot::box, snapshot::periodic);
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      const std::string kind = axis < boundary.size() ? boundary[axis] : "nothing";
-      if (kind != "periodic" && kind != "none")
-        throw bad_input({name}, "the box has no boundaries", "periodic or none", in_quotes(kind));
-      periodic[axis] = kind == "periodic";
+      const std::int64_t number = axis < numbers.size() ? numbers[axis] : -1;
+      if (number != 0 && number != 1)
+        throw bad_input({name}, "the box has no boundaries", "1 (periodic) or 0", fmt::format("{}", number));
+      periodic[axis] = number == 1;
     }
   }
 

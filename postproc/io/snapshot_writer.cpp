@@ -79,9 +79,8 @@ void SnapshotWriter::resume(const std::string& name) {
     if ((contacts_given_ >> slot & 1U) != 0)
       paths.push_back(snapshot::contacts + std::string(contact_column_names[slot]));
   for (const std::string& path : paths) datasets_[path] = file_.dataset(path);
-  const auto kinds = file_.text_attribute("/particles/discs/box", "boundary");
-  for (std::size_t axis = 0; axis < 2 && axis < kinds.size(); ++axis)
-    periodic_[axis] = kinds[axis] == "periodic";
+  const auto numbers = file_.number_attribute(snapshot::box, snapshot::periodic);
+  for (std::size_t axis = 0; axis < 2 && axis < numbers.size(); ++axis) periodic_[axis] = numbers[axis] != 0;
   walls_.resume(file_);
 }
 
@@ -127,9 +126,11 @@ void SnapshotWriter::begin(const RawFrame& frame, std::size_t particles) {
   }
   begin_element(edges_path, Hdf5Type::real, {steps_per_chunk, 2}, "m");
   begin_element(low_path, Hdf5Type::real, {steps_per_chunk, 2}, "m");
-  file_.attribute("/particles/discs/box", "dimension", std::int64_t{2});
-  file_.attribute("/particles/discs/box", "boundary", boundary(frame.box));
+  file_.attribute(snapshot::box, "dimension", std::int64_t{2});
+  file_.attribute(snapshot::box, "boundary", boundary(frame.box));
   periodic_ = frame.box.periodic;
+  const std::int64_t numbers[] = {periodic_[0] ? 1 : 0, periodic_[1] ? 1 : 0};
+  file_.attribute(snapshot::box, snapshot::periodic, numbers);
   if (frame.with_contacts) begin_contacts(frame, particles);
   walls_.begin(file_, frame.walls, step_path, with_time_ ? time_path : "");
 }

@@ -97,5 +97,6 @@ with tempfile.TemporaryDirectory() as folder:
         assert list(discs["position/step"]) == [100, 200] and list(discs["id/time"]) == [1, 2]
         assert discs["position/value"].shape == (2, 4, 2) and discs["position/value"].attrs["unit"] == "m"
         assert list(discs["box"].attrs["boundary"]) == ["none", "none"]
+        assert list(discs["box"].attrs["periodic"]) == [0, 0]
         assert list(file["contacts/offset"]) == [0, 3, 6] and list(file["contacts/id2"][:3]) == [3, 3, 0]
 print("h5py and pandas see what the CSV says")

@@ -1,6 +1,9 @@
 // Frames through HDF5 snapshots and back.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "io/frame_stream.h"
 #include "io/snapshot_reader.h"
 #include "io/snapshot_writer.h"
@@ -55,6 +58,18 @@ TEST(Snapshots, GiveBackEveryBitOfFramesOfAnySize) {
   }
   EXPECT_FALSE(stream.next(frame));
   EXPECT_EQ(frames, 3);
+}
+
+// So that what is found in damaged files is found again.
+TEST(Snapshots, AreTheSameBytesAtAnyTime) {
+  const Folder folder;
+  FrameSource text;
+  text.particle_files = {folder.write("p", dump())};
+  convert(text, folder.path("now.h5"));
+  // The library's times are whole seconds.
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  convert(text, folder.path("later.h5"));
+  EXPECT_EQ(read_text(folder.path("now.h5")), read_text(folder.path("later.h5")));
 }
 
 TEST(Snapshots, ColumnsThatAreMissingAreNamed) {
