@@ -1,17 +1,18 @@
 // Material constants and the entry into the engine's factories.
-#include <algorithm>
 #include <string>
+#include <utility>
 
 #include "arguments.h"
 #include "atom.h"
 #include "contact_models.h"
+#include "engine_access.h"
 #include "fix_property_global.h"
 #include "force.h"
 #include "modify.h"
 #include "pair_gran_disc.h"
 #include "pair_gran_proxy.h"
 
-namespace mikromakro::liggghts {
+namespace mikromakro::styles {
 
 using namespace LAMMPS_NS;
 using physics::Tangential;
@@ -37,38 +38,57 @@ std::vector<double> PairGranDisc::material_constant(const char* name, const char
   return values;
 }
 
-void PairGranDisc::read_material_constants() {
-  const auto tangential = effects_.tangential;
+std::vector<physics::ContactParameters> PairGranDisc::read_material_constants() const {
+  const auto tangential = effects().tangential;
   const bool damped = tangential == Tangential::viscous_coulomb || tangential == Tangential::damped_spring;
-  parameters_.assign(static_cast<std::size_t>(atom->ntypes) * atom->ntypes, {});
+  std::vector<physics::ContactParameters> parameters(static_cast<std::size_t>(atom->ntypes) * atom->ntypes);
   const auto store = [&](double physics::ContactParameters::*member, const char* name, const char* symbol) {
     const auto values = material_constant(name, symbol);
-    for (std::size_t k = 0; k < values.size(); ++k) parameters_[k].*member = values[k];
+    for (std::size_t k = 0; k < values.size(); ++k) parameters[k].*member = values[k];
   };
   using P = physics::ContactParameters;
-  const bool hertz = effects_.normal == physics::Normal::hertz;
+  const bool hertz = effects().normal == physics::Normal::hertz;
   store(&P::normal_stiffness, "kn", hertz ? "k_n [N/m^2]" : "k_n [N/m]");
-  if (effects_.normal_dashpot) store(&P::normal_damping, "gamman_abs", "gamma_n [kg/s]");
+  if (effects().normal_dashpot) store(&P::normal_damping, "gamman_abs", "gamma_n [kg/s]");
   if (tangential != Tangential::none) store(&P::friction, "coefficientFriction", "mu [-]");
-  if (effects_.spring()) store(&P::tangential_stiffness, "kt", "k_t [N/m]");
+  if (effects().spring()) store(&P::tangential_stiffness, "kt", "k_t [N/m]");
   if (damped) store(&P::tangential_damping, "gammat_abs", "gamma_t [kg/s]");
-  one_material_ = std::all_of(parameters_.begin(), parameters_.end(),
-                              [&](const P& p) { return p == parameters_.front(); });
-  for (const auto& p : parameters_) {
+  for (const auto& p : parameters) {
     if (p.normal_stiffness == 0) fail("property/global kn: expected > 0, got 0");
-    if (effects_.spring() && p.tangential_stiffness == 0) {
+    if (effects().spring() && p.tangential_stiffness == 0) {
       fail(
           "property/global kt: expected > 0, got 0; 'tangential disc/viscous' or 'tangential off' need no "
           "spring");
     }
   }
+  return parameters;
+}
+
+std::vector<MaterialConstant> PairGranDisc::given_constants() const {
+  const bool hertz = effects().normal == physics::Normal::hertz;
+  const std::vector<std::pair<const char*, const char*>> all = {{"kn", hertz ? "N/m^2" : "N/m"},
+                                                                {"gamman_abs", "kg/s"},
+                                                                {"kt", "N/m"},
+                                                                {"gammat_abs", "kg/s"},
+                                                                {"coefficientFriction", ""}};
+  const int types = atom->ntypes;
+  std::vector<MaterialConstant> given;
+  for (const auto& [name, unit] : all) {
+    auto* fix = dynamic_cast<FixPropertyGlobal*>(modify->find_fix_property(
+        name, "property/global", "peratomtypepair", types, types, "snapshot/disc", false));
+    if (!fix) continue;
+    given.push_back({name, unit, {}});
+    for (int i = 0; i < types; ++i)
+      for (int j = 0; j < types; ++j) given.back().values.push_back(fix->compute_array(i, j));
+  }
+  return given;
 }
 
 namespace {
 
 using Implementation = LIGGGHTS::PairStyles::IGranularPairStyle;
 
-// The engine's proxy keeps its implementation private; see style_maps.h for the way in.
+// The engine's proxy keeps its implementation private; see engine_access.h for the way in.
 struct ProxyImplementation {
   using Type = Implementation* PairGranProxy::*;
   friend Type member(ProxyImplementation tag);
@@ -85,12 +105,16 @@ Implementation* create_disc_law(LAMMPS* engine, PairGran* parent, int64_t hash) 
 
 }  // namespace
 
-PairGranDisc* active_disc_law(LAMMPS& engine) {
+DiscLaw* active_disc_law(LAMMPS& engine) {
   auto* proxy = dynamic_cast<PairGranProxy*>(engine.force->pair);
-  return proxy ? dynamic_cast<PairGranDisc*>(proxy->*member(ProxyImplementation{})) : nullptr;
+  return proxy ? dynamic_cast<DiscLaw*>(proxy->*member(ProxyImplementation{})) : nullptr;
 }
 
-void register_disc_laws() {
+const char* const disc_pair_style = "pair_style gran model disc/linear ...";
+const char* const law_styles =
+    "Pair style gran: model disc/linear disc/hertz, tangential off disc/viscous disc/cundall_strack";
+
+void register_disc_laws(LAMMPS& /*engine*/) {
   using LIGGGHTS::Utils::generate_gran_hashcode;
   namespace models = LIGGGHTS::ContactModels;
   static bool done = false;
@@ -111,4 +135,4 @@ void register_disc_laws() {
   }
 }
 
-}  // namespace mikromakro::liggghts
+}  // namespace mikromakro::styles

@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "disc_law.h"
+#include "engine_access.h"
 #include "loop_by_hand.h"
-#include "pair_gran_disc.h"
 #include "scene_script.h"
 #include "timer.h"
 
@@ -53,7 +54,7 @@ std::vector<Law> laws() {
 /// Bytes that the law holds for pairs and contacts; springs are held by the engine too, with the flag of each
 /// pair of its neighbour list.
 double bytes_per_contact(test::Engine& engine) {
-  const auto* law = liggghts::active_disc_law(engine.lammps());
+  const auto* law = styles::active_disc_law(engine.lammps());
   if (!law) return 0;
   return static_cast<double>(law->bytes_of_pairs() + law->bytes_in_engine()) /
          static_cast<double>(law->contacts());

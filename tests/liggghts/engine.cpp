@@ -39,7 +39,7 @@ LAMMPS_NS::LAMMPS* engine_on(MPI_Comm ranks) {
     static const int told = std::atexit(tell_where_the_engine_stopped);
     (void)told;
     engine = new LAMMPS_NS::LAMMPS(static_cast<int>(arguments.size()), arguments.data(), ranks);
-    liggghts::register_styles(*engine);
+    styles::register_styles(*engine);
   }
   return engine;
 }

@@ -6,9 +6,10 @@
 
 #include <cstdio>
 
+#include "disc_law.h"
 #include "engine.h"
+#include "engine_access.h"
 #include "neighbor.h"
-#include "pair_gran_disc.h"
 
 namespace mikromakro::test {
 namespace {
@@ -89,7 +90,7 @@ TEST(OpenStateOrNot, DependsOnWhoActsWithinAStep) {
   Engine engine;
   engine.run(scene("model disc/linear tangential off", {}, 0.1));
   engine.run(disc(1, 0, 0, 0.005) + disc(2, 0.009, 0, 0.005) + "fix integrate all nve/disc\nrun 0\n");
-  const auto& packed = liggghts::active_disc_law(engine.lammps())->packed_discs();
+  const auto& packed = styles::active_disc_law(engine.lammps())->packed_discs();
   EXPECT_TRUE(packed.may_stay_open);
   engine.run("fix fall all gravity 9.81 vector 0 -1 0\nrun 1\n");
   EXPECT_FALSE(packed.may_stay_open);

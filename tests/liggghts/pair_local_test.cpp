@@ -9,8 +9,10 @@
 
 #include "compute.h"
 #include "engine.h"
+#include "engine_access.h"
 #include "modify.h"
 #include "packing.h"
+#include "pair_gran_disc.h"
 
 namespace mikromakro::test {
 namespace {
@@ -87,6 +89,17 @@ TEST(ComputePairGranLocal, DiffersByTheDashpotsOfTheFinalVelocities) {
   // the prediction leaves the change of the acceleration in a step, omega dt = 6 % of that.
   EXPECT_GT(half_step.force, 5 * predicted.force);
   EXPECT_LT(half_step.force, 0.5);
+}
+
+TEST(HertzLaw, IsWhatTheEnginesOtherStylesAskFor) {
+  Engine engine;
+  engine.run(
+      scene("model disc/hertz tangential disc/cundall_strack limitForce on damping off", {.k_n = 1e6}));
+  auto* law = dynamic_cast<styles::PairGranDisc*>(styles::active_disc_law(engine.lammps()));
+  ASSERT_NE(law, nullptr);
+  EXPECT_EQ(law->stressStrainExponent(), 1.5);
+  EXPECT_TRUE(law->contact_match("normal", "disc/hertz"));
+  EXPECT_FALSE(law->contact_match("normal", "disc/linear"));
 }
 
 }  // namespace

@@ -4,8 +4,9 @@
 
 #include <filesystem>
 
+#include "disc_law.h"
 #include "engine.h"
-#include "pair_gran_disc.h"
+#include "engine_access.h"
 
 namespace mikromakro::test {
 namespace {
@@ -77,7 +78,7 @@ class RestartInContact : public testing::TestWithParam<Law> {
   }
 
   void expect_to_go_on() {
-    const auto effects = liggghts::active_disc_law(engine_.lammps())->effects();
+    const auto effects = styles::active_disc_law(engine_.lammps())->effects();
     EXPECT_EQ(effects, GetParam().effects);
     engine_.run("run 0\n");
     expect_equal(contacts_, engine_.contacts());

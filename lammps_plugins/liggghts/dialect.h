@@ -1,0 +1,64 @@
+// How LIGGGHTS spells what the styles need from an engine; lammps/dialect.h has the same names.
+#pragma once
+
+#include "compute.h"
+#include "fix.h"
+#include "pointers.h"
+
+namespace mikromakro::styles {
+
+using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
+using ComputeCreator = LAMMPS_NS::Compute* (*)(LAMMPS_NS::LAMMPS*, int, int, char**);
+using CommandCreator = void (*)(LAMMPS_NS::LAMMPS*, int, char**);
+
+class FixOfEngine : public LAMMPS_NS::Fix {
+ protected:
+  using Fix::Fix;
+  /// The fix has values of each atom, new atoms too; at most `most_exchanged` go to another rank with one.
+  void has_values_of_atoms(int /*most_exchanged*/) {
+    create_attribute = 1;
+    // Otherwise the engine would clear the values of all atoms in the first set-up of a new fix.
+    just_created = 0;
+  }
+};
+
+/// A fix that follows the numbers of the steps, and that checks itself as soon as it is defined and has its
+/// state from a restart file, if there is one.
+class FixWithClock : public FixOfEngine {
+ public:
+  int setmask() final { return calls_wanted(); }
+  void post_create() final { once_defined(); }
+  void reset_timestep(LAMMPS_NS::bigint newstep, LAMMPS_NS::bigint oldstep) final {
+    count_steps_anew(newstep - oldstep);
+  }
+
+ protected:
+  using FixOfEngine::FixOfEngine;
+  virtual int calls_wanted() const = 0;
+  virtual void once_defined() {}
+  virtual void count_steps_anew(LAMMPS_NS::bigint shift) = 0;
+};
+
+using ComputeOfEngine = LAMMPS_NS::Compute;
+
+class CommandOfEngine : protected LAMMPS_NS::Pointers {
+ protected:
+  using Pointers::Pointers;
+};
+
+template <class T>
+LAMMPS_NS::Fix* make_fix(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) {
+  return new T(engine, narg, arg);
+}
+
+template <class T>
+LAMMPS_NS::Compute* make_compute(LAMMPS_NS::LAMMPS* engine, int iarg, int narg, char** arg) {
+  return new T(engine, iarg, narg, arg);
+}
+
+template <class T>
+void run_command(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) {
+  T(engine).command(narg, arg);
+}
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,151 @@
+// LIGGGHTS 3.8 has no plugin command and keeps its tables of styles private or protected; naming a private
+// member in an explicit template instantiation is allowed by the standard ([temp.spec]), so no header has to
+// be altered.
+#include "engine_access.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <iterator>
+
+#include "atom.h"
+#include "comm.h"
+#include "integrate.h"
+#include "lammps.h"
+#include "output.h"
+#include "signal_handling.h"
+#include "universe.h"
+
+namespace mikromakro::styles {
+namespace {
+
+// Instantiating Grant<Tag, &Class::member> defines member(Tag), through which the private member is reached.
+template <class Tag, typename Tag::Type Member>
+struct Grant {
+  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
+};
+
+struct FixMap {
+  using Type = std::map<std::string, FixCreator>* LAMMPS_NS::Modify::*;
+  friend Type member(FixMap tag);
+};
+struct ComputeMap {
+  using Type = std::map<std::string, ComputeCreator>* LAMMPS_NS::Modify::*;
+  friend Type member(ComputeMap tag);
+};
+struct CommandMap {
+  using Type = std::map<std::string, CommandCreator>* LAMMPS_NS::Input::*;
+  friend Type member(CommandMap tag);
+};
+
+struct ExternalForceClear {
+  using Type = int LAMMPS_NS::Integrate::*;
+  friend Type member(ExternalForceClear tag);
+};
+struct SwapCount {
+  using Type = int LAMMPS_NS::Comm::*;
+  friend Type member(SwapCount tag);
+};
+struct SendCounts {
+  using Type = int* LAMMPS_NS::Comm::*;
+  friend Type member(SendCounts tag);
+};
+struct SendLists {
+  using Type = int** LAMMPS_NS::Comm::*;
+  friend Type member(SendLists tag);
+};
+
+struct NextRestart {
+  using Type = LAMMPS_NS::bigint LAMMPS_NS::Output::*;
+  friend Type member(NextRestart tag);
+};
+
+template struct Grant<NextRestart, &LAMMPS_NS::Output::next_restart>;
+template struct Grant<ExternalForceClear, &LAMMPS_NS::Integrate::external_force_clear>;
+template struct Grant<SwapCount, &LAMMPS_NS::Comm::nswap>;
+template struct Grant<SendCounts, &LAMMPS_NS::Comm::sendnum>;
+template struct Grant<SendLists, &LAMMPS_NS::Comm::sendlist>;
+template struct Grant<FixMap, &LAMMPS_NS::Modify::fix_map>;
+template struct Grant<ComputeMap, &LAMMPS_NS::Modify::compute_map>;
+template struct Grant<CommandMap, &LAMMPS_NS::Input::command_map>;
+
+}  // namespace
+
+std::map<std::string, FixCreator>& fix_styles(LAMMPS_NS::Modify& modify) {
+  return *(modify.*member(FixMap{}));
+}
+std::map<std::string, ComputeCreator>& compute_styles(LAMMPS_NS::Modify& modify) {
+  return *(modify.*member(ComputeMap{}));
+}
+std::map<std::string, CommandCreator>& command_styles(LAMMPS_NS::Input& input) {
+  return *(input.*member(CommandMap{}));
+}
+
+int& forces_are_not_cleared(LAMMPS_NS::Integrate& integrate) {
+  return integrate.*member(ExternalForceClear{});
+}
+
+std::vector<int> atoms_with_ghosts(const LAMMPS_NS::Comm& comm, int nlocal) {
+  std::vector<int> atoms;
+  for (int swap = 0; swap < comm.*member(SwapCount{}); ++swap) {
+    const int* sent = (comm.*member(SendLists{}))[swap];
+    std::copy_if(sent, sent + (comm.*member(SendCounts{}))[swap], std::back_inserter(atoms),
+                 [nlocal](int i) { return i < nlocal; });
+  }
+  std::sort(atoms.begin(), atoms.end());
+  atoms.erase(std::unique(atoms.begin(), atoms.end()), atoms.end());
+  return atoms;
+}
+
+bool writes_restart_at(const LAMMPS_NS::LAMMPS& engine, LAMMPS_NS::bigint step) {
+  return engine.output->restart_requested(step);
+}
+
+LAMMPS_NS::bigint next_restart_step(const LAMMPS_NS::LAMMPS& engine) {
+  return engine.output->*member(NextRestart{});
+}
+
+/// As in the engine's own program: SIGINT and SIGTERM end the run after the current step and write what is
+/// due, SIGUSR1 asks for a restart file. mpirun turns a SIGINT into a SIGTERM to its children.
+void handle_signals() {
+  struct sigaction end_run {};
+  end_run.sa_handler = LAMMPS_NS::SignalHandler::int_handler;
+  sigaction(SIGINT, &end_run, nullptr);
+  sigaction(SIGTERM, &end_run, nullptr);
+  struct sigaction write_now {};
+  write_now.sa_handler = LAMMPS_NS::SignalHandler::usr1_handler;
+  sigaction(SIGUSR1, &write_now, nullptr);
+}
+
+bool is_asked_to_stop() {
+  return LAMMPS_NS::SignalHandler::request_quit || LAMMPS_NS::SignalHandler::request_write_restart;
+}
+
+bool leaves_discs_alone(const LAMMPS_NS::Fix& fix, int mask) {
+  using namespace LAMMPS_NS::FixConst;
+  constexpr int harmless = END_OF_STEP | THERMO_ENERGY | POST_RUN | MIN_PRE_EXCHANGE | MIN_PRE_NEIGHBOR |
+                           MIN_PRE_FORCE | MIN_POST_FORCE | MIN_ENERGY;
+  const bool history = std::strcmp(fix.style, "contacthistory") == 0;
+  return (mask & ~(harmless | (history ? PRE_EXCHANGE : 0))) == 0;
+}
+
+void store_density(LAMMPS_NS::Atom& atom, int i, double areal_density) {
+  atom.density[i] = areal_density;
+}
+
+bool stores_discs(const LAMMPS_NS::Atom& atom) {
+  return atom.radius_flag && atom.rmass_flag && atom.density_flag;
+}
+
+void announce_set_arrays(LAMMPS_NS::Fix& fix) {
+  fix.pre_set_arrays();
+}
+
+const char* const engine_family = "LIGGGHTS";
+const char* const disc_atom_style = "granular";
+
+std::string engine_name(const LAMMPS_NS::LAMMPS& engine) {
+  return engine.universe->version;
+}
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,51 @@
+// Reads the arguments of a style in an input script one by one. What does not fit ends the run on all ranks
+// with one line: the style, the argument, what was expected and what was found.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace mikromakro::styles {
+
+// Ends the run on all ranks with "style: what". Every rank has to call it.
+[[noreturn]] void stop(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std::string& what);
+
+class Arguments {
+ public:
+  // Starts at arg[first].
+  Arguments(LAMMPS_NS::LAMMPS& engine, std::string style, int narg, char** arg, int first = 0)
+      : engine_(engine), style_(std::move(style)), count_(narg), next_(first), arguments_(arg) {}
+
+  [[nodiscard]] bool more() const { return next_ < count_; }
+  // If the next argument is `keyword`, takes it.
+  bool take(std::string_view keyword);
+
+  // `name` is what the documentation calls the argument.
+  std::string word(const std::string& name);
+  double number(const std::string& name);
+  double positive(const std::string& name);
+  double not_negative(const std::string& name);
+  long integer(const std::string& name, long least, long most);
+
+  [[noreturn]] void fail(const std::string& what) const { stop(engine_, style_, what); }
+  // For a place where none of the accepted keywords stands.
+  [[noreturn]] void unexpected(const std::string& accepted);
+
+ private:
+  [[noreturn]] void expected(const std::string& name, const std::string& what, const std::string& found);
+
+  LAMMPS_NS::LAMMPS& engine_;
+  std::string style_;
+  int count_;
+  int next_;
+  char** arguments_;
+};
+
+// A number as users write it: 0.0053, not 0.005300000.
+std::string text_of(double value);
+
+}  // namespace mikromakro::styles

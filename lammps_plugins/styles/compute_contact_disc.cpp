@@ -1,0 +1,47 @@
+#include "compute_contact_disc.h"
+
+#include "arguments.h"
+#include "disc_law.h"
+#include "engine_access.h"
+#include "error.h"
+#include "update.h"
+
+namespace mikromakro::styles {
+
+using namespace LAMMPS_NS;
+
+ComputeContactDisc::ComputeContactDisc(LAMMPS* engine, int& iarg, int narg, char** arg)
+    : ComputeOfEngine(engine, iarg, narg, arg) {
+  if (narg != iarg) error->all(FLERR, "compute contact/disc: expected no arguments after the style");
+  local_flag = 1;
+  size_local_cols = contact_columns;
+  size_local_rows = 0;
+  array_local = nullptr;
+}
+
+void ComputeContactDisc::init() {
+  if (!active_disc_law(*lmp)) {
+    stop(*lmp, "compute contact/disc", std::string("needs '") + disc_pair_style + "' before the run");
+  }
+}
+
+void ComputeContactDisc::compute_local() {
+  invoked_local = update->ntimestep;
+  rows_.clear();
+  if (!append_contact_rows(*lmp, groupbit, rows_)) {
+    error->all(FLERR,
+               "compute contact/disc: the forces of this step were not recorded; it gives rows to dumps in "
+               "steps that "
+               "the engine has scheduled for output");
+  }
+  row_pointers_.clear();
+  for (auto& row : rows_) row_pointers_.push_back(row.data());
+  array_local = row_pointers_.data();
+  size_local_rows = static_cast<int>(rows_.size());
+}
+
+double ComputeContactDisc::memory_usage() {
+  return static_cast<double>(rows_.capacity() * sizeof(ContactRow));
+}
+
+}  // namespace mikromakro::styles

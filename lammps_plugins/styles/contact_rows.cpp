@@ -1,0 +1,83 @@
+#include "contact_rows.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "atom.h"
+#include "compute.h"
+#include "disc_law.h"
+#include "engine_access.h"
+#include "modify.h"
+#include "output.h"
+#include "update.h"
+
+namespace mikromakro::styles {
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+ContactRow row_of(const Atom& atom, const AppliedContact& c) {
+  const double *x_1 = atom.x[c.i], *x_2 = atom.x[c.j];
+  return {static_cast<double>(atom.tag[c.i]),
+          static_cast<double>(atom.tag[c.j]),
+          x_1[0],
+          x_1[1],
+          x_2[0],
+          x_2[1],
+          c.n_x,
+          c.n_y,
+          c.overlap,
+          -c.force.f_n * c.n_x - c.force.f_t * c.n_y,
+          -c.force.f_n * c.n_y + c.force.f_t * c.n_x,
+          c.force.f_n,
+          c.force.f_t,
+          c.force.xi,
+          c.v_n,
+          c.v_t};
+}
+
+}  // namespace
+
+void ContactSchedule::look_up(LAMMPS& engine) {
+  const Modify& modify = *engine.modify;
+  computes_defined_ = std::any_of(modify.compute, modify.compute + modify.ncompute, [](const Compute* c) {
+    return std::strcmp(c->style, "contact/disc") == 0;
+  });
+  observers_.clear();
+  for (int k = 0; k < modify.nfix; ++k) {
+    if (const auto* observer = dynamic_cast<const ContactObserver*>(modify.fix[k]))
+      observers_.push_back(observer);
+  }
+}
+
+bool ContactSchedule::due(const Update& update, const Output& output) const {
+  const bool scheduled =
+      update.setupflag || update.ntimestep == update.laststep || update.ntimestep == output.next;
+  if (scheduled && (computes_defined_ || !observers_.empty())) return true;
+  return std::any_of(observers_.begin(), observers_.end(), [&](const ContactObserver* observer) {
+    return observer->wants_contacts_at(update.ntimestep);
+  });
+}
+
+bool append_contact_rows(LAMMPS& engine, int group_bit, std::vector<ContactRow>& rows) {
+  const DiscLaw* law = active_disc_law(engine);
+  const auto* contacts = law ? law->applied_contacts() : nullptr;
+  if (!contacts) return false;
+  const Atom& atom = *engine.atom;
+  for (const auto& c : *contacts) {
+    if (!(atom.mask[c.i] & group_bit) || !(atom.mask[c.j] & group_bit)) continue;
+    // A contact across a rank boundary is evaluated on both sides; the side that owns the larger id reports
+    // it.
+    if (c.j >= atom.nlocal && atom.tag[c.i] <= atom.tag[c.j]) continue;
+    rows.push_back(row_of(atom, c));
+  }
+  const Modify& modify = *engine.modify;
+  for (int k = 0; k < modify.nfix; ++k) {
+    const auto* walls = dynamic_cast<const WallContactSource*>(modify.fix[k]);
+    if (walls && !walls->append_wall_contacts(group_bit, rows)) return false;
+  }
+  return true;
+}
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,31 @@
+// The arguments of fix couette/2d.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "arguments.h"
+#include "physics/plane_vector.h"
+#include "physics/ring_motion.h"
+
+namespace mikromakro::styles {
+
+// Rough: the wall discs of a group. Smooth: a wall along the circle, with the material of an atom type.
+struct Ring {
+  std::string group;
+  int group_bit = 0;  // smooth: 0, no disc
+  int type = 0;       // rough: 0
+  physics::RingMotion motion;
+
+  [[nodiscard]] bool smooth() const { return type > 0; }
+};
+
+struct CouetteSettings {
+  physics::PlaneVector centre;  // m
+  std::array<Ring, 2> rings;    // inner, outer
+  double height = 1.0;          // m; 1 leaves pressures as force per length
+};
+
+CouetteSettings parse_couette(LAMMPS_NS::LAMMPS& engine, Arguments& arguments);
+
+}  // namespace mikromakro::styles

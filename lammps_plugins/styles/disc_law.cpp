@@ -1,0 +1,180 @@
+// The contact law of a pair style: settings, constants, and one evaluation.
+#include "disc_law.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string>
+
+#include <mpi.h>
+
+#include "arguments.h"
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "effects_line.h"
+#include "engine_access.h"
+#include "first_rank.h"
+#include "fix_nve_disc.h"
+#include "force.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "output.h"
+#include "time_step_check.h"
+#include "update.h"
+
+namespace mikromakro::styles {
+
+using namespace LAMMPS_NS;
+using physics::Normal;
+using physics::Tangential;
+
+namespace {
+
+/// Whether every fix that integrates is fix nve/disc with `velocity predicted`.
+bool integrators_predict_velocities(const Modify& modify) {
+  bool any = false;
+  for (int k = 0; k < modify.nfix; ++k) {
+    if (std::strncmp(modify.fix[k]->style, "nve", 3) != 0) continue;
+    const auto* integrator = dynamic_cast<const FixNveDisc*>(modify.fix[k]);
+    if (!integrator || !integrator->predicts_velocities()) return false;
+    any = true;
+  }
+  return any;
+}
+
+/// What a restart file holds of the settings.
+struct SavedSettings {
+  std::int64_t key;
+  double impact_velocity;
+  std::array<std::int32_t, 4> effects;
+};
+
+}  // namespace
+
+void DiscLaw::fail(const std::string& what) const {
+  stop(*lmp, style(), what);
+}
+
+void DiscLaw::require_two_dimensions() const {
+  if (domain->dimension != 2) fail("discs live in two dimensions; put 'dimension 2' before the box");
+  if (force->newton_pair) fail("needs 'newton off' before the box is created");
+}
+
+void DiscLaw::forget_settings(Normal normal, Tangential tangential) {
+  effects_ = {};
+  effects_.normal = normal;
+  effects_.tangential = tangential;
+  tangential_damping_ = false;
+  impact_velocity_ = 0;
+}
+
+bool DiscLaw::take_switch(Arguments& arguments, const char* key, bool& value) const {
+  if (!arguments.take(key)) return false;
+  const std::string word = arguments.more() ? arguments.word(key) : "nothing";
+  if (word != "on" && word != "off") fail("'" + std::string(key) + "': expected on or off, got " + word);
+  value = word == "on";
+  return true;
+}
+
+bool DiscLaw::take_setting(Arguments& arguments) {
+  if (take_switch(arguments, "damping", effects_.normal_dashpot) ||
+      take_switch(arguments, "tangential_damping", tangential_damping_) ||
+      take_switch(arguments, "limitForce", effects_.no_attraction)) {
+    return true;
+  }
+  if (effects_.normal != Normal::hertz || !arguments.take("impact_velocity")) return false;
+  impact_velocity_ = arguments.positive("impact_velocity");
+  return true;
+}
+
+void DiscLaw::use_settings() {
+  if (effects_.spring())
+    effects_.tangential = tangential_damping_ ? Tangential::damped_spring : Tangential::spring;
+  choose_loops();
+}
+
+void DiscLaw::write_settings(FILE* file, std::int64_t key) const {
+  const SavedSettings settings{key,
+                               impact_velocity_,
+                               {static_cast<int>(effects_.tangential), effects_.no_attraction,
+                                static_cast<int>(effects_.normal), effects_.normal_dashpot}};
+  std::fwrite(&settings, sizeof settings, 1, file);
+}
+
+void DiscLaw::read_settings(FILE* file, std::int64_t key) {
+  SavedSettings settings{};
+  int complete = 0;
+  if (comm->me == 0) complete = std::fread(&settings, sizeof settings, 1, file) == 1 && settings.key == key;
+  MPI_Bcast(&settings, sizeof settings, MPI_BYTE, 0, world);
+  MPI_Bcast(&complete, 1, MPI_INT, 0, world);
+  if (!complete) fail("the restart file ends inside the settings of the pair style");
+  const auto& [tangential, no_attraction, normal, normal_dashpot] = settings.effects;
+  effects_ = {static_cast<Tangential>(tangential), no_attraction != 0, static_cast<Normal>(normal),
+              normal_dashpot != 0};
+  tangential_damping_ = effects_.tangential == Tangential::damped_spring;
+  impact_velocity_ = settings.impact_velocity;
+  choose_loops();
+}
+
+void DiscLaw::begin_run(std::vector<physics::ContactParameters> parameters) {
+  parameters_ = std::move(parameters);
+  one_material_ = std::all_of(parameters_.begin(), parameters_.end(),
+                              [&](const auto& p) { return p == parameters_.front(); });
+  run_started_ = false;
+  predicted_ = integrators_predict_velocities(*modify);
+  schedule_.look_up(*lmp);
+  readers_.look_up(*lmp);
+  packed_.may_stay_open = packed_.open = false;
+  packed_.step = -1;
+  recorded_step_ = -1;
+}
+
+/// Once in each run, at its set-up; the engine also initialises when it writes a restart file.
+void DiscLaw::start_run(const NeighList& list) {
+  run_started_ = true;
+  check_time_step(*lmp, list, style(), {effects_, parameters_, impact_velocity_});
+  tell(*lmp, effects_line(effects_, *modify, predicted_));
+}
+
+const physics::ContactParameters& DiscLaw::parameters(int type_1, int type_2) const {
+  return parameters_[static_cast<std::size_t>(type_1 - 1) * atom->ntypes + type_2 - 1];
+}
+
+const std::vector<AppliedContact>* DiscLaw::applied_contacts() const {
+  return recorded_step_ == update->ntimestep ? &applied_ : nullptr;
+}
+
+std::size_t DiscLaw::bytes_of_pairs() const {
+  return pairs_.size() * sizeof(physics::DiscPair) + histories_.size() * sizeof(double*) +
+         in_contact_.size() + near_.bytes() + applied_.capacity() * sizeof(AppliedContact);
+}
+
+std::size_t DiscLaw::bytes_in_engine() const {
+  return histories_.size() * (2 * sizeof(double) + sizeof(int));
+}
+
+std::size_t DiscLaw::contacts() const {
+  return std::count_if(pairs_.begin(), pairs_.end(), [this](const physics::DiscPair& pair) {
+    return physics::are_near(packed_.discs[pair.i], packed_.discs[pair.j], 0);
+  });
+}
+
+void DiscLaw::evaluate(const Evaluation& evaluation) {
+  if (!run_started_) start_run(evaluation.list);
+  if (packed_.check_is_off) neighbor->build_once = 0;
+  if (packed_.clear_is_off) forces_are_not_cleared(*update->integrate) = 0;
+  forces_are_stale_ = packed_.clear_is_off;
+  packed_.check_is_off = packed_.clear_is_off = false;
+  // The same on all ranks, with discs or without.
+  packed_.open = evaluation.is_step && will_stay_open();
+  recording_ = evaluation.is_step && schedule_.due(*update, *output);
+  if (recording_) applied_.clear();
+  if (atom->nlocal > 0) {
+    const bool observed = recording_ || evaluation.is_observed;
+    (this->*(observed ? observed_loop_ : plain_loop_))(evaluation);
+  }
+  if (recording_) recorded_step_ = update->ntimestep;
+}
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,316 @@
+// The pair loop of the disc law: one instance for each combination of effects, each plain and observed.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <utility>
+
+#include "atom.h"
+#include "disc_law.h"
+#include "error.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "physics/contact_batch.h"
+#include "physics/near_pairs.h"
+#include "processor_clones.h"
+#include "update.h"
+
+namespace mikromakro::styles {
+
+using namespace LAMMPS_NS;
+using physics::ContactBatch;
+using physics::DiscLoad;
+using physics::DiscPair;
+using physics::DiscRow;
+using physics::Effects;
+using physics::Tangential;
+
+namespace {
+
+using Vector3 = double[3];
+
+/// What a batch of pairs reads and writes.
+struct BatchOfPairs {
+  const DiscRow* discs;
+  DiscLoad* loads;
+  const DiscPair* pairs;
+  int count;
+  bool predicted;
+  double dt;
+};
+
+template <Effects effects>
+FOR_EACH_PROCESSOR physics::BatchState batch_geometry(ContactBatch& c, const BatchOfPairs& b) {
+  physics::load_discs<effects>(c, b.discs, b.pairs, b.count);
+  const auto state = physics::contact_geometry<effects>(c, b.count);
+  if constexpr (effects.spring()) physics::contact_slip(c, b.count, b.predicted, b.dt);
+  return state;
+}
+
+template <Effects effects>
+FOR_EACH_PROCESSOR void batch_forces(ContactBatch& c, const BatchOfPairs& b) {
+  physics::contact_forces<effects>(c, b.count);
+  physics::add_loads<effects>(c, b.pairs, b.count, b.loads);
+}
+
+}  // namespace
+
+/// The engine's Error::one is silent on all ranks but the first, and loses its line where the output is a
+/// pipe.
+void DiscLaw::stop_at_coincident_centres(const ContactBatch& c, const DiscPair* pairs) const {
+  int lane = 0;
+  while (!std::isnan(c.n_x[lane])) ++lane;
+  const auto& pair = pairs[lane];
+  const std::string text = "ERROR: " + style() + ": discs " + std::to_string(atom->tag[pair.i]) + " and " +
+                           std::to_string(atom->tag[pair.j]) + " have the same centre in step " +
+                           std::to_string(update->ntimestep) + ": their contact has no normal\n";
+  if (logfile) std::fputs(text.c_str(), logfile);
+  std::fflush(nullptr);
+  std::fputs(text.c_str(), stderr);
+  MPI_Abort(world, 1);
+  std::abort();
+}
+
+/// Rows of the discs, owned or ghost, from number `first` on, from the engine's arrays, which would cost a
+/// cache line each for every neighbour. Notes how far any of them has moved.
+template <bool spins>
+void DiscLaw::gather(int first) {
+  const int count = atom->nlocal + atom->nghost;
+  auto& discs = packed_.discs;
+  discs.resize(count);
+  packed_.loads.resize(count);
+  const auto* x = reinterpret_cast<const Vector3*>(atom->x[0]);
+  const auto* v = reinterpret_cast<const Vector3*>(atom->v[0]);
+  const auto* omega = reinterpret_cast<const Vector3*>(atom->omega[0]);
+  double furthest = 0;
+  for (int i = first; i < count; ++i) {
+    const double d_x = x[i][0] - discs[i].x(), d_y = x[i][1] - discs[i].y();
+    furthest = std::max(furthest, d_x * d_x + d_y * d_y);
+    discs[i] = DiscRow::of(x[i][0], x[i][1], atom->radius[i]);
+    discs[i].set_motion(v[i][0], v[i][1], spins ? omega[i][2] : 0.0);
+  }
+  const double moved = std::max(std::sqrt(furthest), first > 0 ? packed_.furthest : 0.0);
+  moved_ += moved;
+  path_ += moved;
+  packed_.furthest = 0;
+}
+
+namespace {
+
+/// The largest square of the distance that any of the first discs has moved from where it was.
+FOR_EACH_PROCESSOR double furthest_squared(const DiscRow* discs,
+                                           const std::vector<physics::PlaneVector>& from) {
+  double furthest = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double d_x = discs[i].x() - from[i].x, d_y = discs[i].y() - from[i].y;
+    furthest = std::max(furthest, d_x * d_x + d_y * d_y);
+  }
+  return furthest;
+}
+
+}  // namespace
+
+bool DiscLaw::neighbours_suffice() {
+  if (atom->nlocal == 0) return true;
+  const double trigger = neighbor->skin / 2 * (1 - 1e-6);  // more than any rounding
+  if (path_ + packed_.furthest < trigger) return true;
+  if (path_ >= 2 * trigger) return false;  // looked at before, and found close to the trigger
+  const double now = std::sqrt(furthest_squared(packed_.discs.data(), built_at_));
+  path_ = now < 0.9 * trigger ? now - packed_.furthest : 2 * trigger;
+  return now < 0.9 * trigger;
+}
+
+void DiscLaw::put_disc_into_engine(int i) {
+  const auto& disc = packed_.discs[i];
+  atom->x[i][0] = disc.x();
+  atom->x[i][1] = disc.y();
+  atom->v[i][0] = disc.motion[0];
+  atom->v[i][1] = disc.motion[1];
+  // Without friction spins do not change, and have not been read.
+  if (effects_.tangential != Tangential::none) atom->omega[i][2] = disc.motion[2];
+}
+
+void DiscLaw::put_discs_into_engine() {
+  for (int i = 0; i < atom->nlocal; ++i) put_disc_into_engine(i);
+}
+
+void DiscLaw::put_springs_into_engine() {
+  if (!springs_wait_) return;
+  for (int k = 0; k < near_.size(); ++k) {
+    double* history = histories_[near_.number(k)];
+    history[history_xi] = near_.xi(k);
+    history[history_slip_rate] = near_.slip_rate(k);
+  }
+  springs_wait_ = false;
+}
+
+/// Adds the loads of the owned discs to the engine's forces and torques, and leaves none for the next step.
+void DiscLaw::close() {
+  if (packed_.step == update->ntimestep) put_discs_into_engine();
+  put_springs_into_engine();
+  auto* f = reinterpret_cast<Vector3*>(atom->f[0]);
+  auto* torque = reinterpret_cast<Vector3*>(atom->torque[0]);
+  const int nlocal = atom->nlocal;
+  for (int i = 0; i < nlocal && forces_are_stale_; ++i) f[i][0] = f[i][1] = torque[i][2] = 0;
+  forces_are_stale_ = false;
+  for (int i = 0; i < nlocal; ++i) {
+    f[i][0] += packed_.loads[i].f_x();
+    f[i][1] += packed_.loads[i].f_y();
+  }
+  if (effects_.tangential != Tangential::none) {
+    for (int i = 0; i < nlocal; ++i) torque[i][2] += packed_.loads[i].torque(packed_.discs[i].radius());
+  }
+  std::fill(packed_.loads.begin(), packed_.loads.end(), DiscLoad{});
+  packed_.open = false;
+  packed_.step = -1;
+}
+
+/// Copies the engine's neighbour list, which it has just built, into one flat list of pairs.
+template <Effects effects>
+void DiscLaw::flatten(const NeighList& list) {
+  pairs_.clear();
+  histories_.clear();
+  in_contact_.clear();
+  first_pair_.resize(atom->nlocal);
+  History springs{};
+  if constexpr (effects.spring()) springs = history();
+  flags_ = springs.touching;
+  for (int ii = 0; ii < list.inum; ++ii) {
+    const int i = list.ilist[ii];
+    first_pair_[i] = static_cast<int>(pairs_.size());
+    for (int jj = 0; jj < list.numneigh[i]; ++jj) {
+      pairs_.push_back({i, list.firstneigh[i][jj] & NEIGHMASK});
+      if constexpr (effects.spring()) {
+        histories_.push_back(springs.values[i] + static_cast<std::ptrdiff_t>(springs.stride) * jj);
+        in_contact_.push_back(springs.touching[i][jj] != 0);
+      }
+    }
+  }
+}
+
+/// Looks through all pairs for those that may touch before the discs have moved by a small part of the skin.
+template <Effects effects>
+void DiscLaw::find_near_pairs() {
+  near_gap_ = physics::near_fraction * neighbor->skin;
+  moved_ = 0;
+  near_.clear();
+  for (int number = 0; number < static_cast<int>(pairs_.size()); ++number) {
+    const auto& pair = pairs_[number];
+    const bool touched = effects.spring() && in_contact_[number] != 0;
+    if (!touched && !physics::are_near(packed_.discs[pair.i], packed_.discs[pair.j], near_gap_)) continue;
+    near_.add(pair, number);
+    if constexpr (effects.spring()) {
+      const double* history = histories_[number];
+      near_.add_spring(touched, history[history_xi], history[history_slip_rate]);
+    }
+  }
+}
+
+/// Of the pairs from `first` on, one batch, those that began to touch get a spring of zero, and those that
+/// ceased to lose theirs.
+void DiscLaw::begin_and_end_contacts(ContactBatch& c, int first, int count, double dt) {
+  for (int k = 0; k < count; ++k) {
+    if (c.touches(k) == (c.touched[k] != 0)) continue;
+    const int number = near_.number(first + k), i = pairs_[number].i;
+    near_.set_touched(first + k, c.touches(k));
+    in_contact_[number] = c.touches(k);
+    flags_[i][number - first_pair_[i]] = c.touches(k);
+    histories_[number][history_xi] = histories_[number][history_slip_rate] = 0;
+    physics::begin_or_end_contact(c, k, predicted_, dt);
+  }
+}
+
+void DiscLaw::remember_places() {
+  path_ = 0;
+  built_at_.clear();
+  for (int i = 0; i < atom->nlocal; ++i) built_at_.push_back({packed_.discs[i].x(), packed_.discs[i].y()});
+}
+
+template <Effects effects, bool observed>
+void DiscLaw::loop(const Evaluation& evaluation) {
+  const bool rows_are_there = packed_.step == update->ntimestep && neighbor->ago != 0;
+  gather<effects.tangential != Tangential::none>(rows_are_there ? atom->nlocal : 0);
+  const bool new_pairs = neighbor->ago == 0 || pairs_.empty();
+  if (new_pairs) {
+    flatten<effects>(evaluation.list);
+    remember_places();
+  }
+  if (new_pairs || 2 * moved_ > near_gap_) {
+    put_springs_into_engine();
+    find_near_pairs<effects>();
+  }
+  const bool move_spring = evaluation.is_step && evaluation.moves_springs;
+  const double dt = move_spring ? update->dt : 0.0;
+  ContactBatch& c = *batch_;
+  for (int k = 0; k < ContactBatch::lanes; ++k) c.set_material(k, parameters_.front());
+
+  for (int first = 0; first < near_.size(); first += ContactBatch::lanes) {
+    const int count = std::min(ContactBatch::lanes, near_.size() - first);
+    const BatchOfPairs batch{
+        packed_.discs.data(), packed_.loads.data(), near_.from(first), count, predicted_, dt};
+    if (!one_material_) set_materials(c, batch.pairs, count);
+    if (effects.spring()) near_.load_springs(c, first, count);
+    const auto state = batch_geometry<effects>(c, batch);
+    if (state.any_undefined) stop_at_coincident_centres(c, batch.pairs);
+    if (state.any_changed) begin_and_end_contacts(c, first, count, dt);
+    batch_forces<effects>(c, batch);
+    if (effects.spring() && move_spring) near_.store_springs(c, first, count);
+    if constexpr (observed) {
+      for (int k = 0; k < count; ++k) {
+        if (c.touches(k)) observe(evaluation, c, k, first);
+      }
+    }
+  }
+  springs_wait_ = springs_wait_ || (effects.spring() && move_spring);
+  if (!packed_.may_stay_open) put_springs_into_engine();
+  if (!evaluation.is_step) {
+    std::fill(packed_.loads.begin(), packed_.loads.end(), DiscLoad{});
+  } else if (packed_.open) {
+    // Loads of ghosts are known to their own ranks.
+    std::fill(packed_.loads.begin() + atom->nlocal, packed_.loads.end(), DiscLoad{});
+  } else {
+    close();
+  }
+}
+
+void DiscLaw::set_materials(ContactBatch& c, const DiscPair* pairs, int count) const {
+  const std::size_t types = atom->ntypes;
+  for (int k = 0; k < count; ++k) {
+    const auto& pair = pairs[k];
+    c.set_material(k, parameters_[(atom->type[pair.i] - 1) * types + atom->type[pair.j] - 1]);
+  }
+}
+
+/// Hands one contact to whoever looks at it: our own record, the engine.
+void DiscLaw::observe(const Evaluation& evaluation, const ContactBatch& c, int k, int first) {
+  const auto [i, j] = near_.from(first)[k];
+  if (recording_) {
+    const double xi = effects_.spring() ? c.xi[k] : 0.0;
+    applied_.push_back(
+        {i, j, c.n_x[k], c.n_y[k], c.overlap[k], {c.f_n[k], c.f_t[k], xi}, c.v_n[k], c.v_t[k]});
+  }
+  if (evaluation.is_observed) {
+    tell_engine({i, j, c.d_x[k], c.d_y[k], c.overlap[k], c.f_x[k], c.f_y[k],
+                 packed_.discs[i].radius() * c.f_t[k] - c.short_torque[k],
+                 effects_.spring() ? histories_[near_.number(first + k)] : nullptr});
+  }
+}
+
+template <Effects effects>
+void DiscLaw::use_loops_of() {
+  if (effects_ != effects) return;
+  plain_loop_ = &DiscLaw::loop<effects, false>;
+  observed_loop_ = &DiscLaw::loop<effects, true>;
+}
+
+template <int... numbers>
+void DiscLaw::choose_among(std::integer_sequence<int, numbers...> /*combinations*/) {
+  (use_loops_of<physics::effects_of_combination(numbers)>(), ...);
+}
+
+void DiscLaw::choose_loops() {
+  choose_among(std::make_integer_sequence<int, physics::effect_combinations>{});
+}
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,122 @@
+#include "fix_ave_micromacro.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "arguments.h"
+#include "disc_law.h"
+#include "engine_access.h"
+#include "first_rank.h"
+#include "frame_gathering.h"
+#include "group.h"
+#include "io/error.h"
+#include "io/frame_stream.h"
+#include "mikromakro_version.h"
+#include "update.h"
+
+namespace mikromakro::styles {
+
+namespace {
+
+// bulk_types, as words of an input script look, is --bulk-types; `file` is --out.
+std::string option_name(const std::string& word) {
+  if (word == "file") return "--out";
+  if (word == "out") return word;
+  std::string name = "--" + word;
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+std::vector<std::string> names_at(const std::vector<std::string>& names, LAMMPS_NS::bigint step) {
+  std::vector<std::string> files = names;
+  for (std::string& file : files) {
+    const std::size_t star = file.find('*');
+    if (star != std::string::npos) file.replace(star, 1, std::to_string(step));
+  }
+  return files;
+}
+
+bool numbered(const std::string& name) {
+  return name.find('*') != std::string::npos;
+}
+
+}  // namespace
+
+FixAveMicromacro::FixAveMicromacro(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : FixWithClock(engine, narg, arg) {
+  Arguments arguments(*engine, style, narg, arg, 3);
+  nevery = static_cast<int>(arguments.integer("Nevery", 1, std::numeric_limits<int>::max()));
+  write_every_ = arguments.integer("Nfreq", 1, std::numeric_limits<int>::max());
+  if (write_every_ % nevery != 0)
+    arguments.fail("Nfreq: expected a multiple of Nevery = " + std::to_string(nevery) + ", got " +
+                   std::to_string(write_every_));
+  std::vector<std::string> words;
+  while (arguments.more()) words.push_back(arguments.word("option"));
+  try {
+    parse(std::move(words));
+    averager_ = make_averager(options_);
+  } catch (const std::exception& error) {
+    arguments.fail(error.what());
+  }
+  if (options_.out.empty()) arguments.fail("expected 'file NAME'");
+  if (std::find(options_.out.begin(), options_.out.end(), "-") != options_.out.end())
+    arguments.fail("file: expected a name ending in .csv, .h5 or .vtkhdf, got '-'");
+  const auto windows = std::count_if(options_.out.begin(), options_.out.end(), numbered);
+  windows_ = windows > 0;
+  if (windows_ && windows < std::ssize(options_.out))
+    arguments.fail("file: expected a * in all names or in none, got both");
+  averaged_.sums = TimeAverage(options_.error_blocks);
+  // Found out before a long run starts.
+  on_first_rank(*lmp, style, [this] { const TableOutputs can_be_written(names_at(options_.out, 0)); });
+}
+
+void FixAveMicromacro::parse(std::vector<std::string> words) {
+  CLI::App app;
+  app.set_help_flag();
+  app.allow_extras();
+  add_average_options(app, options_);
+  for (std::string& word : words) {
+    const std::string name = option_name(word);
+    if (app.get_option_no_throw(name) != nullptr) word = name;
+  }
+  // The parser takes its arguments from the back.
+  std::reverse(words.begin(), words.end());
+  app.parse(words);
+  if (!app.remaining().empty())
+    throw bad_input({"options"}, "unknown option", "those of `mikromakro average` without dashes",
+                    in_quotes(app.remaining().front()));
+}
+
+int FixAveMicromacro::calls_wanted() const {
+  return LAMMPS_NS::FixConst::END_OF_STEP;
+}
+
+void FixAveMicromacro::init() {
+  if (!active_disc_law(*lmp))
+    stop(*lmp, style, std::string("needs '") + disc_pair_style + "' before the run");
+}
+
+void FixAveMicromacro::count_steps_anew(LAMMPS_NS::bigint /*shift*/) {
+  averaged_ = {TimeAverage(options_.error_blocks), {}};
+}
+
+void FixAveMicromacro::end_of_step() {
+  RawFrame raw = gather_frame(*lmp, groupbit, style);
+  on_first_rank(*lmp, style, [&] {
+    Frame frame;
+    join(raw, frame);
+    averaged_.add(frame.step, averager_->frame_sums(frame));
+    if (update->ntimestep % write_every_ == 0) write();
+  });
+}
+
+void FixAveMicromacro::write() {
+  TableOutputs outputs(names_at(options_.out, update->ntimestep));
+  const Preamble lines = {
+      {"program", "mikromakro " MIKROMAKRO_VERSION " fix ave/micromacro"},
+      {"run", std::string("group ") + group->names[igroup] + ", every " + std::to_string(nevery) + " steps"}};
+  write_averages(options_, *averager_, averaged_, lines, outputs);
+  if (windows_) averaged_ = {TimeAverage(options_.error_blocks), {}};
+}
+
+}  // namespace mikromakro::styles

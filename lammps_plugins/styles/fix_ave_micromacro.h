@@ -1,0 +1,52 @@
+// fix ID group ave/micromacro Nevery Nfreq file NAME [file NAME ...] OPTIONS
+//
+// The averages of `mikromakro average`, taken while the run goes on: in every step that is a multiple of
+// Nevery the sums over the discs of the group and their contacts are added up, and in every one that is a
+// multiple of Nfreq the table is written. NAME ends in .csv, .h5 or .vtkhdf. A * in it becomes the time step:
+// then each file has the mean of its own Nfreq/Nevery frames; without a *, the file is replaced each time by
+// the mean of all frames since the fix was defined. A restart begins anew.
+//
+// OPTIONS are those of the program that say over what and how is averaged, without the dashes in front:
+//   rings RMIN RMAX N  edges R0,R1,...  center X Y  sectors M  grid ...  box ...  weight W  branch B  height
+//   H bulk_types 1,2  kn K  mu MU  fields NAME,...  histogram BINS  error_blocks N
+//
+// Discs and contacts are gathered on the first rank, which sums them as the program does those of a snapshot:
+// the same numbers to the last bit. Walls of discs have to be in the group, for contacts with discs outside
+// of it do not count.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact_rows.h"
+#include "dialect.h"
+#include "options/average_options.h"
+
+namespace mikromakro::styles {
+
+class FixAveMicromacro : public FixWithClock, public ContactObserver {
+ public:
+  FixAveMicromacro(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
+
+  bool wants_contacts_at(LAMMPS_NS::bigint step) const override { return step % nevery == 0; }
+
+  void init() override;
+  void end_of_step() override;
+
+ protected:
+  int calls_wanted() const override;
+  void count_steps_anew(LAMMPS_NS::bigint shift) override;
+
+ private:
+  void parse(std::vector<std::string> words);
+  void write();
+
+  LAMMPS_NS::bigint write_every_ = 0;
+  AverageOptions options_;
+  bool windows_ = false;  // each file has its own frames only
+  std::unique_ptr<const Averager> averager_;
+  Averaged averaged_;  // on the first rank
+};
+
+}  // namespace mikromakro::styles

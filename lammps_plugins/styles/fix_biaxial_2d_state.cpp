@@ -1,0 +1,126 @@
+// fix biaxial/2d: how its walls begin to move otherwise, what it checks, and what restart files hold.
+#include <cstring>
+
+#include "atom.h"
+#include "comm.h"
+#include "disc_insertion.h"
+#include "fix_biaxial_2d.h"
+#include "update.h"
+
+namespace mikromakro::styles {
+
+using Kind = WallControl::Kind;
+
+namespace {
+
+// What a restart file holds besides the springs: walls, references, and the clock.
+template <class Wall>
+struct SavedState {
+  std::array<Wall, 4> box;
+  std::array<double, 2> reference_lengths;
+  double elapsed;
+  double step_of_clock;
+  double dt;
+  double step_of_file;
+};
+
+}  // namespace
+
+void FixBiaxial2d::begin(int side, const WallControl& control) {
+  Wall& wall = box_[side];
+  wall.control = control;
+  wall.start = wall.motion.position;
+  wall.start_time = clock_.time_at(update->ntimestep);
+  wall.motion.acceleration = 0.0;
+  wall.goes_on = false;
+  if (control.kind != Kind::stress) wall.motion.velocity = control.kind == Kind::rate ? control.target : 0.0;
+  wall.contact_velocity = wall.motion.velocity;
+}
+
+void FixBiaxial2d::reset_references() {
+  reference_lengths_ = {length(0), length(1)};
+  for (Wall& wall : box_) wall.work = 0.0;
+}
+
+int FixBiaxial2d::modify_param(int narg, char** arg) {
+  Arguments arguments(*lmp, std::string("fix_modify ") + style, narg, arg);
+  const BiaxialChange change = parse_biaxial_change(arguments);
+  follow_time_step(update->ntimestep);
+  for (int side = 0; side < 4; ++side) {
+    if (change.controls[side]) begin(side, *change.controls[side]);
+  }
+  if (change.reset) reset_references();
+  return narg;
+}
+
+// All ranks know all walls: each comes to the same conclusion.
+void FixBiaxial2d::check_rectangle() const {
+  for (int axis = 0; axis < 2; ++axis) {
+    if (length(axis) > 0) continue;
+    stop(*lmp, style,
+         "expected the " + biaxial_sides[2 * axis + 1] + " wall beyond the " + biaxial_sides[2 * axis] +
+             " wall, got them at " + text_of(box_[2 * axis + 1].motion.position) + " and " +
+             text_of(box_[2 * axis].motion.position));
+  }
+  check_inside_box(
+      *lmp, style, "the walls",
+      {box_[0].motion.position, box_[1].motion.position, box_[2].motion.position, box_[3].motion.position});
+}
+
+// The command `timestep` tells no fix.
+void FixBiaxial2d::follow_time_step(LAMMPS_NS::bigint step) {
+  if (update->dt != clock_.dt()) clock_.change_step_length(step, update->dt);
+}
+
+void FixBiaxial2d::reset_dt() {
+  follow_time_step(update->ntimestep);
+}
+
+void FixBiaxial2d::count_steps_anew(LAMMPS_NS::bigint shift) {
+  clock_.shift_steps(shift);
+}
+
+void FixBiaxial2d::copy_arrays(int i, int j, int /*delflag*/) {
+  walls_.copy(i, j);
+}
+
+void FixBiaxial2d::write_restart(FILE* fp) {
+  if (comm->me != 0) return;
+  const SavedState<Wall> state{box_,
+                               reference_lengths_,
+                               clock_.elapsed(),
+                               static_cast<double>(clock_.step()),
+                               clock_.dt(),
+                               static_cast<double>(update->ntimestep)};
+  const int size = sizeof state;
+  std::fwrite(&size, sizeof size, 1, fp);
+  std::fwrite(&state, sizeof state, 1, fp);
+}
+
+void FixBiaxial2d::restart(char* buf) {
+  SavedState<Wall> state;
+  std::memcpy(&state, buf, sizeof state);
+  clock_ = physics::StepClock(state.elapsed, static_cast<LAMMPS_NS::bigint>(state.step_of_clock), state.dt);
+  // The steps may have been counted anew between read_restart and here.
+  clock_.shift_steps(update->ntimestep - static_cast<LAMMPS_NS::bigint>(state.step_of_file));
+  reference_lengths_ = state.reference_lengths;
+  for (int side = 0; side < 4; ++side) {
+    const WallControl wanted = box_[side].control;
+    box_[side] = state.box[side];
+    if (wanted != box_[side].control) begin(side, wanted);
+  }
+}
+
+int FixBiaxial2d::pack_restart(int i, double* buf) {
+  buf[0] = size_restart(i);
+  return 1 + walls_.pack(i, buf + 1);
+}
+
+void FixBiaxial2d::unpack_restart(int nlocal, int nth) {
+  const double* extra = atom->extra[nlocal];
+  int start = 0;
+  for (int k = 0; k < nth; ++k) start += static_cast<int>(extra[start]);
+  walls_.unpack(nlocal, extra + start + 1);
+}
+
+}  // namespace mikromakro::styles

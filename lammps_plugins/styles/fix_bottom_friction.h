@@ -1,0 +1,45 @@
+// fix bottom/friction: discs that slide on the bottom of the cell.
+#pragma once
+
+#include <cstdio>
+
+#include "dialect.h"
+
+namespace mikromakro::styles {
+
+/// fix ID group bottom/friction MU_B G [velocity V0]
+///
+/// Force -mu_b m g v/|v| on each disc of the group, -mu_b m g v/V0 below V0 (physics/bottom_friction.h), at
+/// the velocities that the contacts see in the same step. mu_b [-] and the acceleration of gravity G [m/s^2]
+/// are positive; V0 [m/s] is at least 2 mu_b G dt, and 10 mu_b G dt where it is not given. Spins are left
+/// alone. A disc under a force below mu_b m g creeps, with less than V0.
+///
+/// Scalar: energy that the bottom has taken since the fix was defined [J], kept in restart files. Vector: 1
+/// the power that it takes now [W].
+class FixBottomFriction : public FixOfEngine {
+ public:
+  FixBottomFriction(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
+
+  int setmask() override;
+  void init() override;
+  void setup(int vflag) override;
+  void post_force(int vflag) override;
+  void reset_dt() override;
+  double compute_scalar() override;
+  double compute_vector(int n) override;
+  void write_restart(FILE* file) override;
+  void restart(char* buffer) override;
+
+ private:
+  double apply();  // returns the power of this rank's discs
+  double sum_of_all_ranks(double value) const;
+
+  double mu_b_, g_;
+  double given_v_0_ = 0;  // 0: not given
+  double v_0_ = 0;
+  // Of the discs of this rank: the power [W] at the last evaluation, the energy taken [J].
+  double power_ = 0, energy_ = 0;
+  bool goes_on_ = false;  // power_ is that of the last step
+};
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,214 @@
+#include "fix_nve_disc.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <mpi.h>
+
+#include "atom.h"
+#include "comm.h"
+#include "disc_law.h"
+#include "domain.h"
+#include "engine_access.h"
+#include "error.h"
+#include "neighbor.h"
+#include "processor_clones.h"
+#include "update.h"
+
+namespace mikromakro::styles {
+
+using namespace LAMMPS_NS;
+using physics::Four;
+
+FixNveDisc::FixNveDisc(LAMMPS* engine, int narg, char** arg)
+    : FixOfEngine(engine, narg, arg), last_forces_(*engine) {
+  time_integrate = 1;
+  restart_global = restart_peratom = 1;
+  has_values_of_atoms(size_of_half_step + LastForces::values);
+  for (int k = 3; k < narg; k += 2) {
+    const std::string key = arg[k], value = k + 1 < narg ? arg[k + 1] : "nothing";
+    if (key != "velocity" || (value != "predicted" && value != "half_step")) {
+      error->all(FLERR, ("fix nve/disc: expected 'velocity predicted' or 'velocity half_step', got '" + key +
+                         " " + value + "'")
+                            .c_str());
+    }
+    predicted_ = value == "predicted";
+  }
+  if (!stores_discs(*atom))
+    error->all(FLERR, (std::string("fix nve/disc: needs 'atom_style ") + disc_atom_style + "'").c_str());
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  atom->add_callback(1);
+}
+
+FixNveDisc::~FixNveDisc() {
+  atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
+}
+
+int FixNveDisc::setmask() {
+  return FixConst::INITIAL_INTEGRATE | FixConst::POST_INTEGRATE | FixConst::PRE_EXCHANGE |
+         FixConst::FINAL_INTEGRATE;
+}
+
+void FixNveDisc::init() {
+  if (domain->dimension != 2)
+    error->all(FLERR, "fix nve/disc: discs live in two dimensions; put 'dimension 2' before the box");
+  step_complete_ = false;
+  law_ = active_disc_law(*lmp);
+  packed_ = law_ ? &law_->packed_discs() : nullptr;
+  if (!packed_) return;
+  packed_->may_stay_open = predicted_ && may_stay_open(*lmp, *this);
+}
+
+/// The engine sorts and exchanges atoms before the first step.
+void FixNveDisc::setup_pre_exchange() {
+  members_known_ = false;
+}
+
+void FixNveDisc::initial_integrate(int /*vflag*/) {
+  go_on_from_last_run();
+  if (packed_ && packed_->open) {
+    go_on();
+  } else {
+    begin_step();
+  }
+}
+
+void FixNveDisc::find_members() {
+  members_.clear();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (atom->mask[i] & groupbit) members_.push_back(i);
+  }
+  seen_elsewhere_ = atoms_with_ghosts(*comm, atom->nlocal);
+  members_known_ = true;
+}
+
+void FixNveDisc::begin_step() {
+  const double dt = update->dt;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    double *x = atom->x[i], *v = atom->v[i], *omega = atom->omega[i];
+    const double kick = dt / 2 / atom->rmass[i];
+    const double spin_kick = 2 * kick / (atom->radius[i] * atom->radius[i]);
+    const double dv_x = kick * atom->f[i][0], dv_y = kick * atom->f[i][1],
+                 domega = spin_kick * atom->torque[i][2];
+    v[0] += dv_x;
+    v[1] += dv_y;
+    omega[2] += domega;
+    x[0] += dt * v[0];
+    x[1] += dt * v[1];
+    if (predicted_) {
+      half_steps_[i].values = Four{v[0], v[1], omega[2], kick};
+      spin_kicks_[i] = spin_kick;
+      v[0] += dv_x;
+      v[1] += dv_y;
+      omega[2] += domega;
+    }
+  }
+}
+
+namespace {
+
+struct OpenStep {
+  const int* members;
+  int count;
+  double dt;
+  Four* half_steps;
+  const double* spin_kicks;
+  physics::DiscRow* discs;
+  physics::DiscLoad* loads;
+};
+
+/// The last half-kick of the step before, the first one of this step, and the velocity predicted for its
+/// end: the arithmetic of end_step() and begin_step(). Returns the largest square of a velocity.
+FOR_EACH_PROCESSOR double move_discs(const OpenStep& step) {
+  const Four drift = {step.dt, step.dt, 0, 0};
+  double fastest = 0;
+  for (int k = 0; k < step.count; ++k) {
+    const int i = step.members[k];
+    auto& disc = step.discs[i];
+    auto& load = step.loads[i];
+    const double radius = disc.radius(), kick = step.half_steps[i][3];
+    const Four dv =
+        Four{kick, kick, step.spin_kicks[i], 0} * Four{load.f_x(), load.f_y(), load.torque(radius), 0};
+    const Four half = step.half_steps[i] + dv + dv;
+    step.half_steps[i] = half;
+    disc.place += drift * half;
+    const Four now = half + dv;
+    disc.set_motion(now[0], now[1], now[2]);
+    load = {};
+    fastest = std::max(fastest, half[0] * half[0] + half[1] * half[1]);
+  }
+  return fastest;
+}
+
+}  // namespace
+
+/// As begin_step(), from rows that nobody has looked at since the forces of the last step were evaluated.
+void FixNveDisc::go_on() {
+  if (!members_known_) find_members();
+  static_assert(sizeof(HalfStep) == sizeof(Four));
+  const OpenStep step{members_.data(),      static_cast<int>(members_.size()),
+                      update->dt,           &half_steps_.data()->values,
+                      spin_kicks_.data(),   packed_->discs.data(),
+                      packed_->loads.data()};
+  packed_->furthest = std::max(packed_->furthest, std::sqrt(move_discs(step)) * step.dt);
+  packed_->step = update->ntimestep;
+}
+
+/// All discs have moved, and the engine is about to ask whether new neighbour lists are needed. Where they
+/// cannot be, its search through all discs is spared; where they may be, discs and springs have to be in its
+/// arrays. Nor need it clear forces that nobody is going to look at.
+void FixNveDisc::post_integrate() {
+  if (!packed_ || !packed_->open) return;
+  int doubt = law_->neighbours_suffice() ? 0 : 1;
+  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &doubt, 1, MPI_INT, MPI_MAX, world);
+  if (doubt || build_is_due(*lmp)) {
+    law_->put_discs_into_engine();
+    law_->put_springs_into_engine();
+  } else {
+    for (const int i : seen_elsewhere_) law_->put_disc_into_engine(i);
+    packed_->check_is_off = !neighbor->build_once;
+    neighbor->build_once = 1;
+  }
+  int& not_cleared = forces_are_not_cleared(*update->integrate);
+  packed_->clear_is_off = !not_cleared && law_->will_stay_open();
+  if (packed_->clear_is_off) not_cleared = 1;
+}
+
+/// Discs are about to change their numbers and their ranks.
+void FixNveDisc::pre_exchange() {
+  members_known_ = false;
+}
+
+void FixNveDisc::final_integrate() {
+  if (packed_ && packed_->open) return;
+  end_step();
+}
+
+void FixNveDisc::end_step() {
+  const double dt = update->dt;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    double *v = atom->v[i], *omega = atom->omega[i];
+    const double kick = dt / 2 / atom->rmass[i];
+    const double spin_kick = 2 * kick / (atom->radius[i] * atom->radius[i]);
+    const Four half = predicted_ ? half_steps_[i].values : Four{v[0], v[1], omega[2], 0};
+    v[0] = half[0] + kick * atom->f[i][0];
+    v[1] = half[1] + kick * atom->f[i][1];
+    omega[2] = half[2] + spin_kick * atom->torque[i][2];
+  }
+  note_end_of_step();
+}
+
+/// A signal may have ended the run in a step of which nobody knew that it would be the last.
+void FixNveDisc::post_run() {
+  if (!packed_ || !packed_->open) return;
+  law_->close();
+  law_->keep_springs_with_atoms();
+  end_step();
+}
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,92 @@
+#include "fix_snapshot_disc.h"
+
+#include <limits>
+
+#include "arguments.h"
+#include "comm.h"
+#include "disc_law.h"
+#include "engine_access.h"
+#include "first_rank.h"
+#include "frame_gathering.h"
+#include "io/output_file.h"
+#include "mikromakro_version.h"
+#include "run_record.h"
+#include "update.h"
+
+namespace mikromakro::styles {
+
+namespace {
+
+bool on_or_off(Arguments& arguments, const std::string& keyword) {
+  const std::string value = arguments.word(keyword);
+  if (value != "yes" && value != "no") arguments.fail(keyword + ": expected yes or no, got '" + value + "'");
+  return value == "yes";
+}
+
+}  // namespace
+
+FixSnapshotDisc::FixSnapshotDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : FixOfEngine(engine, narg, arg) {
+  Arguments arguments(*engine, style, narg, arg, 3);
+  nevery = static_cast<int>(arguments.integer("N", 1, std::numeric_limits<int>::max()));
+  while (arguments.more()) {
+    if (arguments.take("file")) {
+      file_ = arguments.word("file");
+    } else if (arguments.take("append")) {
+      append_ = on_or_off(arguments, "append");
+    } else if (arguments.take("start")) {
+      at_start_ = on_or_off(arguments, "start");
+    } else if (arguments.take("height")) {
+      height_ = arguments.positive("height");
+    } else {
+      arguments.unexpected("file, append, start or height");
+    }
+  }
+  if (file_.empty()) arguments.fail("expected 'file NAME.h5'");
+  // Found out before a long run starts.
+  on_first_rank(*lmp, style, [this] { check_snapshot_name(file_); });
+}
+
+int FixSnapshotDisc::setmask() {
+  return LAMMPS_NS::FixConst::END_OF_STEP;
+}
+
+void FixSnapshotDisc::init() {
+  if (!active_disc_law(*lmp))
+    stop(*lmp, style, std::string("needs '") + disc_pair_style + "' before the run");
+}
+
+void FixSnapshotDisc::setup(int /*vflag*/) {
+  const bool first_run = !begun_;
+  const bool due = update->ntimestep % nevery == 0 || (first_run && at_start_);
+  const SnapshotParameters record = run_record(*lmp, height_);
+  if (!first_run && !(record == record_))
+    stop(*lmp, style,
+         "effects or material constants have changed since the first run; expected another fix with another "
+         "file, got '" +
+             file_ + "'");
+  if (!first_run && !due) return;
+  record_ = record;
+  const RawFrame frame = gather_frame(*lmp, groupbit, style);
+  if (first_run) begin(frame);
+  if (due) on_first_rank(*lmp, style, [&] { log_->add(frame); });
+}
+
+void FixSnapshotDisc::begin(const RawFrame& frame) {
+  begun_ = true;
+  std::int64_t dropped = 0;
+  on_first_rank(*lmp, style, [&] {
+    log_ = std::make_unique<SnapshotLog>(file_, "mikromakro " MIKROMAKRO_VERSION, record_);
+    if (append_) dropped = log_->resume(frame);
+  });
+  if (dropped > 0)
+    tell(*lmp, std::string(style) + ": dropped " + std::to_string(dropped) + " frames after step " +
+                   std::to_string(frame.step) + " from " + file_);
+}
+
+void FixSnapshotDisc::end_of_step() {
+  const RawFrame frame = gather_frame(*lmp, groupbit, style);
+  on_first_rank(*lmp, style, [&] { log_->add(frame); });
+}
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,53 @@
+// liggghts-disc and lmp-disc: the packaged engine with the disc styles; same command line as the engine's
+// own.
+#include <mpi.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string_view>
+
+#include "engine_access.h"
+#include "input.h"
+#include "lammps.h"
+#include "registration.h"
+
+namespace {
+
+bool wants_help(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    if (argument == "-help" || argument == "-h") return true;
+  }
+  return false;
+}
+
+/// LIGGGHTS exits with 1 after its help.
+void end_of_help() {
+  std::fflush(nullptr);
+  std::_Exit(0);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // Line by line also into a pipe: an error of one rank ends the others, and what they hold back is lost.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  mikromakro::styles::handle_signals();
+  MPI_Init(&argc, &argv);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (rank == 0) {
+    std::printf("%s\n", mikromakro::styles::version_line().c_str());
+    // The engine prints its own help and ends inside its constructor, so ours comes first.
+    if (wants_help(argc, argv)) std::printf("%s", mikromakro::styles::style_list().c_str());
+  }
+  if (wants_help(argc, argv)) std::atexit(end_of_help);
+  {
+    const auto engine = std::make_unique<LAMMPS_NS::LAMMPS>(argc, argv, MPI_COMM_WORLD);
+    mikromakro::styles::register_styles(*engine);
+    engine->input->file();
+  }
+  MPI_Finalize();
+  return 0;
+}

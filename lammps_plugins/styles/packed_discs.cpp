@@ -1,0 +1,65 @@
+#include "packed_discs.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "engine_access.h"
+#include "fix.h"
+#include "fix_couette_2d.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "output.h"
+#include "update.h"
+
+namespace mikromakro::styles {
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+/// Rings move wall discs in their rows while the state is open.
+bool may_act(const Fix& fix, int mask) {
+  using namespace FixConst;
+  const bool rings = dynamic_cast<const FixCouette2d*>(&fix) != nullptr;
+  return leaves_discs_alone(fix, rings ? mask & ~(INITIAL_INTEGRATE | PRE_EXCHANGE) : mask);
+}
+
+}  // namespace
+
+bool may_stay_open(LAMMPS& engine, const Fix& integrator) {
+  const Modify& modify = *engine.modify;
+  if (std::strcmp(engine.update->integrate_style, "verlet") != 0) return false;
+  for (int k = 0; k < modify.nfix; ++k) {
+    if (modify.fix[k] != &integrator && !may_act(*modify.fix[k], modify.fmask[k])) return false;
+  }
+  return true;
+}
+
+bool build_is_due(LAMMPS& engine) {
+  const bigint step = engine.update->ntimestep;
+  if (writes_restart_at(engine, step) || !engine.neighbor->dist_check) return true;
+  const Modify& modify = *engine.modify;
+  return std::any_of(modify.fix, modify.fix + modify.nfix, [step](const Fix* fix) {
+    return fix->force_reneighbor && fix->next_reneighbor == step;
+  });
+}
+
+void EndOfStepReaders::look_up(LAMMPS& engine) {
+  const Modify& modify = *engine.modify;
+  intervals_.clear();
+  for (int k = 0; k < modify.nfix; ++k) {
+    if (modify.fmask[k] & FixConst::END_OF_STEP) intervals_.push_back(modify.fix[k]->nevery);
+  }
+}
+
+bool EndOfStepReaders::any_at_present_step(LAMMPS& engine) const {
+  const Update& update = *engine.update;
+  const bigint step = update.ntimestep;
+  if (update.setupflag || step == update.laststep || step == engine.output->next) return true;
+  // A signal may end the run after any step.
+  if (is_asked_to_stop()) return true;
+  return std::any_of(intervals_.begin(), intervals_.end(),
+                     [step](int every) { return every <= 1 || step % every == 0; });
+}
+
+}  // namespace mikromakro::styles

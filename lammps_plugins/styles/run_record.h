@@ -1,0 +1,17 @@
+// What a run simulates, as its snapshots say it.
+#pragma once
+
+#include "io/snapshot_parameters.h"
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace mikromakro::styles {
+
+/// Units, names of the effects that are simulated, engine, and the material constants that are given (fix
+/// property/global) under their names; the thickness where it is given (m, > 0). To be called when a run
+/// starts.
+SnapshotParameters run_record(LAMMPS_NS::LAMMPS& engine, double height);
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,102 @@
+// The smooth walls of a fix as partners of discs: which discs are near, their springs, and the forces.
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "contact_rows.h"
+#include "physics/contact_law.h"
+#include "physics/smooth_wall.h"
+#include "pointers.h"
+
+namespace mikromakro::styles {
+
+/// Discs of a group, without those of some other groups, touch up to four walls under the disc law that is
+/// active. The owner moves the walls and hands over the engine's calls about arrays of atoms. A disc costs
+/// nothing where no wall is within the skin of the neighbour list; springs are kept only for discs that
+/// touch.
+class SmoothWalls : protected LAMMPS_NS::Pointers {
+ public:
+  static constexpr int most_walls = 4;
+
+  SmoothWalls(LAMMPS_NS::LAMMPS& engine, std::string style) : Pointers(&engine), style_(std::move(style)) {}
+
+  /// A wall with the id that contact rows show (contact_rows.h), a name for messages, and the atom type whose
+  /// material constants it has. Returns its number.
+  int add(int id, const std::string& name, int type);
+  bool any() const { return !kinds_.empty(); }
+  void act_on(int group_bit, int but_not_on_bits);
+  const std::vector<WallKind>& kinds() const { return kinds_; }
+
+  /// Ends the run where a wall cuts through a disc, to half of its radius or more. For new walls.
+  void check_cuts(const std::vector<physics::SmoothWall>& walls) const;
+  /// At the start of a run. Ends it where no disc law is active or the group is empty; looks for cuts in the
+  /// first run.
+  void init(const std::vector<physics::SmoothWall>& walls);
+
+  /// Adds the forces of this step to discs that touch the walls, of which there is one for each add().
+  void apply(const std::vector<physics::SmoothWall>& walls);
+  /// On the discs of this rank, by the last apply().
+  const std::vector<physics::WallLoad>& loads() const { return loads_; }
+  bool append_contacts(int group_bit, std::vector<ContactRow>& rows) const;
+  /// The atoms carry velocities that were predicted for the instant of their positions.
+  bool velocities_predicted() const { return step_.predicted; }
+
+  // Springs of atom i, for the engine's calls of the same names. Packed: how many, then wall id, xi and slip
+  // rate of each.
+  void grow(int nmax) { slots_.resize(nmax, no_slot); }
+  void copy(int from, int to) { slots_[to] = slots_[from]; }
+  void clear(int i) { slots_[i] = no_slot; }
+  int packed_size(int i) const;
+  int largest_packed_size() const { return 1 + 3 * static_cast<int>(kinds_.size()); }
+  static constexpr int largest_size = 1 + 3 * most_walls;
+  int pack(int i, double* buffer) const;
+  int unpack(int i, const double* buffer);
+  double memory_usage() const;
+
+ private:
+  static constexpr int no_slot = -1;
+  using Springs = std::array<physics::WallSpring, most_walls>;
+  using Loop = void (SmoothWalls::*)(int number, const physics::SmoothWall& wall);
+  struct Recorded {
+    int disc;
+    ContactRow row;
+  };
+
+  bool touches_walls(int i) const;
+  void choose_loop();
+  void check_group() const;
+  void find_near(const std::vector<physics::SmoothWall>& walls);
+  void forget_unused_springs();
+  physics::WallSpring* spring_of(int i, int number, bool make);
+  template <physics::Effects effects>
+  void touch(int number, const physics::SmoothWall& wall);
+  void record(int i, int number, const physics::WallPoint& at, const physics::ContactState& state,
+              const physics::ContactForce& force);
+  template <int... numbers>
+  void choose_among(const physics::Effects& wanted, std::integer_sequence<int, numbers...> all);
+
+  std::string style_;
+  int group_bit_ = 1;
+  int excluded_bits_ = 0;
+  bool has_run_ = false;
+  std::vector<WallKind> kinds_;
+  std::vector<std::string> names_;
+  std::vector<std::vector<physics::ContactParameters>> parameters_;  // of each wall with each type
+  Loop loop_ = nullptr;
+  physics::StepOfSlip step_{0.0, false};
+  // Discs within the skin of each wall, and where the walls stood when these were found.
+  std::vector<std::vector<int>> near_;
+  std::vector<physics::SmoothWall> walls_then_;
+  std::vector<int> slots_;        // of each atom: its place in springs_
+  std::vector<Springs> springs_;  // of discs that touch; those left behind are dropped in find_near()
+  std::vector<physics::WallLoad> loads_;
+  ContactSchedule schedule_;
+  LAMMPS_NS::bigint recorded_step_ = -1;
+  bool recording_ = false;
+  std::vector<Recorded> recorded_;
+};
+
+}  // namespace mikromakro::styles
