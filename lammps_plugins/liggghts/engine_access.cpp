@@ -15,6 +15,7 @@
 #include "output.h"
 #include "signal_handling.h"
 #include "universe.h"
+#include "update.h"
 
 namespace mikromakro::styles {
 namespace {
@@ -103,6 +104,10 @@ bool writes_restart_at(const LAMMPS_NS::LAMMPS& engine, LAMMPS_NS::bigint step) 
 
 LAMMPS_NS::bigint next_restart_step(const LAMMPS_NS::LAMMPS& engine) {
   return engine.output->*member(NextRestart{});
+}
+
+double time_now(const LAMMPS_NS::LAMMPS& engine) {
+  return engine.update->get_cur_time();
 }
 
 /// As in the engine's own program: SIGINT and SIGTERM end the run after the current step and write what is

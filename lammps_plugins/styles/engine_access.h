@@ -53,6 +53,9 @@ std::vector<int> atoms_with_ghosts(const LAMMPS_NS::Comm& comm, int nlocal);
 bool writes_restart_at(const LAMMPS_NS::LAMMPS& engine, LAMMPS_NS::bigint step);
 LAMMPS_NS::bigint next_restart_step(const LAMMPS_NS::LAMMPS& engine);
 
+/// Simulated since the engine began [s].
+double time_now(const LAMMPS_NS::LAMMPS& engine);
+
 /// For the launcher: what signals mean to the engine's own program.
 void handle_signals();
 

@@ -10,6 +10,7 @@
 #include "comm.h"
 #include "contact_rows.h"
 #include "domain.h"
+#include "engine_access.h"
 #include "fix.h"
 #include "modify.h"
 #include "update.h"
@@ -111,7 +112,7 @@ Box box_of(const LAMMPS_NS::Domain& domain) {
 RawFrame gather_frame(LAMMPS& engine, int group_bit, const std::string& style) {
   RawFrame frame;
   frame.step = engine.update->ntimestep;
-  frame.time = engine.update->get_cur_time();
+  frame.time = time_now(engine);
   frame.box = box_of(*engine.domain);
   frame.particle_file = "step " + std::to_string(frame.step);
   frame.first_particle_line = 1;

@@ -1,0 +1,69 @@
+// How LAMMPS spells what the styles need from an engine; liggghts/dialect.h has the same names.
+#pragma once
+
+#include "command.h"
+#include "compute.h"
+#include "fix.h"
+#include "pointers.h"
+
+namespace mikromakro::styles {
+
+using FixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
+using ComputeCreator = LAMMPS_NS::Compute* (*)(LAMMPS_NS::LAMMPS*, int, char**);
+using CommandCreator = LAMMPS_NS::Command* (*)(LAMMPS_NS::LAMMPS*);
+
+class FixOfEngine : public LAMMPS_NS::Fix {
+ protected:
+  using Fix::Fix;
+  /// The fix has values of each atom, new atoms too; at most `most_exchanged` go to another rank with one.
+  void has_values_of_atoms(int most_exchanged) {
+    create_attribute = 1;
+    maxexchange = most_exchanged;
+  }
+};
+
+/// A fix that follows the numbers of the steps, which the engine then does not let scripts count anew, and
+/// that checks itself as soon as it is defined and has its state from a restart file, if there is one.
+class FixWithClock : public FixOfEngine {
+ public:
+  /// The first call after the engine has handed over that state; post_constructor() comes before.
+  int setmask() final {
+    once_defined();
+    return calls_wanted();
+  }
+
+ protected:
+  FixWithClock(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) : FixOfEngine(engine, narg, arg) {
+    time_depend = 1;
+  }
+  virtual int calls_wanted() const = 0;
+  virtual void once_defined() {}
+  virtual void count_steps_anew(LAMMPS_NS::bigint shift) = 0;
+};
+
+/// Without the number of the first argument of a style, which is always the same here.
+class ComputeOfEngine : public LAMMPS_NS::Compute {
+ protected:
+  ComputeOfEngine(LAMMPS_NS::LAMMPS* engine, int /*first*/, int narg, char** arg)
+      : Compute(engine, narg, arg) {}
+};
+
+using CommandOfEngine = LAMMPS_NS::Command;
+
+template <class T>
+LAMMPS_NS::Fix* make_fix(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) {
+  return new T(engine, narg, arg);
+}
+
+template <class T>
+LAMMPS_NS::Compute* make_compute(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) {
+  int first = 3;
+  return new T(engine, first, narg, arg);
+}
+
+template <class T>
+LAMMPS_NS::Command* run_command(LAMMPS_NS::LAMMPS* engine) {
+  return new T(engine);
+}
+
+}  // namespace mikromakro::styles

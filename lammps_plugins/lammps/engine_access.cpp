@@ -1,0 +1,160 @@
+#include "engine_access.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <iterator>
+#include <numeric>
+
+#include "atom.h"
+#include "comm_brick.h"
+#include "error.h"
+#include "force.h"
+#include "integrate.h"
+#include "lammps.h"
+#include "output.h"
+#include "pair_disc.h"
+#include "update.h"
+#include "version.h"
+
+namespace mikromakro::styles {
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+// Naming a private member in an explicit template instantiation is allowed by the standard ([temp.spec]):
+// instantiating Grant<Tag, &Class::member> defines member(Tag), through which the member is reached.
+template <class Tag, typename Tag::Type Member>
+struct Grant {
+  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
+};
+
+struct ExternalForceClear {
+  using Type = int Integrate::*;
+  friend Type member(ExternalForceClear tag);
+};
+struct SwapCount {
+  using Type = int CommBrick::*;
+  friend Type member(SwapCount tag);
+};
+struct SendCounts {
+  using Type = int* CommBrick::*;
+  friend Type member(SendCounts tag);
+};
+struct SendLists {
+  using Type = int** CommBrick::*;
+  friend Type member(SendLists tag);
+};
+
+template struct Grant<ExternalForceClear, &Integrate::external_force_clear>;
+template struct Grant<SwapCount, &CommBrick::nswap>;
+template struct Grant<SendCounts, &CommBrick::sendnum>;
+template struct Grant<SendLists, &CommBrick::sendlist>;
+
+template <physics::Normal normal>
+Pair* make_pair_disc(LAMMPS* engine) {
+  return new PairDisc(engine, normal);
+}
+
+}  // namespace
+
+const char* const disc_pair_style = "pair_style disc/linear ...";
+const char* const law_styles =
+    "Pair styles: disc/linear disc/hertz, tangential off disc/viscous disc/cundall_strack";
+const char* const engine_family = "LAMMPS";
+const char* const disc_atom_style = "sphere";
+
+std::string engine_name(const LAMMPS& engine) {
+  return std::string("LAMMPS ") + engine.version;
+}
+
+/// The package has no header from which this could be seen when the styles are compiled.
+void check_version(const LAMMPS& engine) {
+  const std::string library = engine.version;
+  if (library == LAMMPS_VERSION) return;
+  engine.error->all(FLERR, "the disc styles were compiled for LAMMPS " LAMMPS_VERSION ", this is " + library);
+}
+
+void register_disc_laws(LAMMPS& engine) {
+  check_version(engine);
+  (*engine.force->pair_map)["disc/linear"] = make_pair_disc<physics::Normal::linear>;
+  (*engine.force->pair_map)["disc/hertz"] = make_pair_disc<physics::Normal::hertz>;
+}
+
+DiscLaw* active_disc_law(LAMMPS& engine) {
+  auto* pair = dynamic_cast<PairDisc*>(engine.force->pair);
+  return pair ? &pair->law() : nullptr;
+}
+
+std::map<std::string, FixCreator>& fix_styles(Modify& modify) {
+  return *modify.fix_map;
+}
+std::map<std::string, ComputeCreator>& compute_styles(Modify& modify) {
+  return *modify.compute_map;
+}
+std::map<std::string, CommandCreator>& command_styles(Input& input) {
+  return *input.command_map;
+}
+
+int& forces_are_not_cleared(Integrate& integrate) {
+  return integrate.*member(ExternalForceClear{});
+}
+
+std::vector<int> atoms_with_ghosts(const Comm& comm, int nlocal) {
+  std::vector<int> atoms;
+  const auto* bricks = dynamic_cast<const CommBrick*>(&comm);
+  if (!bricks) {
+    // Of `comm_style tiled` nothing is known here: all atoms may have ghosts.
+    atoms.resize(nlocal);
+    std::iota(atoms.begin(), atoms.end(), 0);
+    return atoms;
+  }
+  for (int swap = 0; swap < bricks->*member(SwapCount{}); ++swap) {
+    const int* sent = (bricks->*member(SendLists{}))[swap];
+    std::copy_if(sent, sent + (bricks->*member(SendCounts{}))[swap], std::back_inserter(atoms),
+                 [nlocal](int i) { return i < nlocal; });
+  }
+  std::sort(atoms.begin(), atoms.end());
+  atoms.erase(std::unique(atoms.begin(), atoms.end()), atoms.end());
+  return atoms;
+}
+
+bool writes_restart_at(const LAMMPS& engine, bigint step) {
+  return engine.output->restart_flag && engine.output->next_restart == step;
+}
+
+bigint next_restart_step(const LAMMPS& engine) {
+  return engine.output->restart_flag ? engine.output->next_restart : -1;
+}
+
+double time_now(const LAMMPS& engine) {
+  const Update& update = *engine.update;
+  return update.atime + static_cast<double>(update.ntimestep - update.atimestep) * update.dt;
+}
+
+/// The engine's own program leaves signals alone.
+void handle_signals() {}
+
+bool is_asked_to_stop() {
+  return false;
+}
+
+bool leaves_discs_alone(const Fix& fix, int mask) {
+  using namespace FixConst;
+  constexpr int harmless = END_OF_STEP | POST_RUN | MIN_PRE_EXCHANGE | MIN_PRE_NEIGHBOR | MIN_POST_NEIGHBOR |
+                           MIN_PRE_FORCE | MIN_PRE_REVERSE | MIN_POST_FORCE | MIN_ENERGY;
+  const bool history = std::strcmp(fix.style, "NEIGH_HISTORY") == 0;
+  return (mask & ~(harmless | (history ? PRE_EXCHANGE | POST_NEIGHBOR : 0))) == 0;
+}
+
+/// The atom style has no density beside the mass.
+void store_density(Atom& /*atom*/, int /*i*/, double /*areal_density*/) {}
+
+bool stores_discs(const Atom& atom) {
+  return atom.radius_flag && atom.rmass_flag;
+}
+
+void announce_set_arrays(Fix& /*fix*/) {}
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,15 @@
+# Sets LAMMPS_LIBRARY and LAMMPS_HEADERS, and `lammps_missing` to what is missing. The package lammps-dev lacks headers of its
+# own bundled libraries and of pair styles with history: they come from a source tree of the same version.
+set(LAMMPS_SOURCE_DIR "" CACHE PATH "Source tree of the packaged LAMMPS; the one that scripts/setup fetches where it is empty")
+set(lammps_missing "")
+set(lammps_source ${LAMMPS_SOURCE_DIR})
+if(NOT lammps_source)
+  set(lammps_source ${CMAKE_BINARY_DIR}/lammps_source)
+endif()
+set(LAMMPS_HEADERS ${lammps_source}/src)
+find_library(LAMMPS_LIBRARY lammps)
+if(NOT LAMMPS_LIBRARY)
+  set(lammps_missing "liblammps-dev is not installed")
+elseif(NOT EXISTS ${LAMMPS_HEADERS}/fix_neigh_history.h)
+  set(lammps_missing "no source tree at ${lammps_source} (scripts/setup fetches it; or -DLAMMPS_SOURCE_DIR=)")
+endif()

@@ -1,0 +1,285 @@
+#include "pair_disc.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+
+#include "arguments.h"
+#include "atom.h"
+#include "comm.h"
+#include "engine_access.h"
+#include "fix_neigh_history.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
+#include "neigh_request.h"
+#include "neighbor.h"
+#include "update.h"
+#include "utils.h"
+
+namespace mikromakro::styles {
+
+using namespace LAMMPS_NS;
+using physics::ContactParameters;
+using physics::Effects;
+using physics::Tangential;
+
+namespace {
+
+struct Constant {
+  const char *keyword, *symbol;
+  const char* name;  // in snapshots, the same for all engines
+  double ContactParameters::*member;
+  bool positive;
+};
+
+// In the order of PairDisc::Coefficients.
+constexpr std::array<Constant, 5> table = {
+    {{"kn", "k_n", "kn", &ContactParameters::normal_stiffness, true},
+     {"gamman", "gamma_n [kg/s]", "gamman_abs", &ContactParameters::normal_damping, false},
+     {"kt", "k_t [N/m]", "kt", &ContactParameters::tangential_stiffness, true},
+     {"gammat", "gamma_t [kg/s]", "gammat_abs", &ContactParameters::tangential_damping, false},
+     {"mu", "mu [-]", "coefficientFriction", &ContactParameters::friction, false}}};
+
+bool is_needed(const Constant& constant, const Effects& effects) {
+  const auto tangential = effects.tangential;
+  if (constant.member == &ContactParameters::normal_damping) return effects.normal_dashpot;
+  if (constant.member == &ContactParameters::friction) return tangential != Tangential::none;
+  if (constant.member == &ContactParameters::tangential_stiffness) return effects.spring();
+  if (constant.member == &ContactParameters::tangential_damping)
+    return tangential == Tangential::viscous_coulomb || tangential == Tangential::damped_spring;
+  return true;
+}
+
+std::string types_text(const std::string& i, const std::string& j) {
+  return "pair_coeff " + i + " " + j;
+}
+
+// Marks our pair style in a restart file.
+constexpr std::int64_t restart_key = 0x64697363;
+
+constexpr const char *history_id = "NEIGH_HISTORY_DISC", *dummy_id = "NEIGH_HISTORY_DISC_DUMMY";
+
+}  // namespace
+
+PairDisc::PairDisc(LAMMPS* engine, physics::Normal normal) : Pair(engine), law_(*this, engine, normal) {
+  restartinfo = 1;
+  single_enable = 0;
+  no_virial_fdotr_compute = 1;
+  finitecutflag = 1;
+  // Holds the place of the fix with the springs, which can be made only when its data of a restart file are
+  // there, before those of the fixes of the script.
+  modify->add_fix(std::string(dummy_id) + " all DUMMY");
+}
+
+PairDisc::~PairDisc() {
+  modify->delete_fix(history_ ? history_id : dummy_id);
+  if (!allocated) return;
+  memory->destroy(setflag);
+  memory->destroy(cutsq);
+}
+
+void PairDisc::allocate() {
+  allocated = 1;
+  const int types = atom->ntypes;
+  memory->create(setflag, types + 1, types + 1, "pair:setflag");
+  memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
+  for (int i = 1; i <= types; ++i) std::fill_n(&setflag[i][1], types, 0);
+  coefficients_.assign(static_cast<std::size_t>(types) * types, {});
+  largest_radius_.assign(types + 1, 0.0);
+}
+
+PairDisc::Coefficients& PairDisc::coefficients(int i, int j) {
+  return coefficients_[static_cast<std::size_t>(i - 1) * atom->ntypes + j - 1];
+}
+
+const PairDisc::Coefficients& PairDisc::coefficients(int i, int j) const {
+  return coefficients_[static_cast<std::size_t>(i - 1) * atom->ntypes + j - 1];
+}
+
+void PairDisc::settings(int narg, char** arg) {
+  law_.read(narg, arg);
+  if (history_ && !law_.effects().spring()) {
+    modify->replace_fix(history_id, std::string(dummy_id) + " all DUMMY", 1);
+    history_ = nullptr;
+  }
+}
+
+void PairDisc::coeff(int narg, char** arg) {
+  if (!allocated) allocate();
+  if (narg < 2) law_.fail("pair_coeff: expected two types and constants");
+  int i_low = 0, i_high = 0, j_low = 0, j_high = 0;
+  utils::bounds(FLERR, arg[0], 1, atom->ntypes, i_low, i_high, error);
+  utils::bounds(FLERR, arg[1], 1, atom->ntypes, j_low, j_high, error);
+  Arguments arguments(*lmp, law_.style() + ": " + types_text(arg[0], arg[1]), narg, arg, 2);
+  Coefficients given;
+  while (arguments.more()) {
+    const auto constant = std::find_if(table.begin(), table.end(),
+                                       [&](const Constant& c) { return arguments.take(c.keyword); });
+    if (constant == table.end()) arguments.unexpected("kn, gamman, kt, gammat or mu");
+    given[constant - table.begin()] = constant->positive ? arguments.positive(constant->keyword)
+                                                         : arguments.not_negative(constant->keyword);
+  }
+  int count = 0;
+  for (int i = i_low; i <= i_high; ++i) {
+    for (int j = std::max(i, j_low); j <= j_high; ++j, ++count) {
+      setflag[i][j] = 1;
+      coefficients(i, j) = given;
+    }
+  }
+  if (count == 0) arguments.fail("expected types I <= J");
+}
+
+void PairDisc::init_style() {
+  law_.require_two_dimensions();
+  if (!stores_discs(*atom) || !atom->omega_flag || !atom->torque_flag)
+    law_.fail(std::string("needs 'atom_style ") + disc_atom_style + "'");
+  if (comm->ghost_velocity == 0) law_.fail("needs 'comm_modify vel yes'");
+  const int request = neighbor->request(this, instance_me);
+  neighbor->requests[request]->size = 1;
+  neighbor->requests[request]->history = law_.effects().spring() ? 1 : 0;
+  provide_history();
+  std::fill(largest_radius_.begin(), largest_radius_.end(), 0.0);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    double& largest = largest_radius_[atom->type[i]];
+    largest = std::max(largest, atom->radius[i]);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, largest_radius_.data(), static_cast<int>(largest_radius_.size()), MPI_DOUBLE,
+                MPI_MAX, world);
+  law_.begin_run(parameters());
+}
+
+void PairDisc::provide_history() {
+  if (history_ || !law_.effects().spring()) return;
+  const std::string command =
+      std::string(history_id) + " all NEIGH_HISTORY " + std::to_string(Law::history_size);
+  history_ = dynamic_cast<FixNeighHistory*>(modify->replace_fix(dummy_id, command, 1));
+  history_->pair = this;
+}
+
+std::vector<ContactParameters> PairDisc::parameters() const {
+  const int types = atom->ntypes;
+  std::vector<ContactParameters> all(static_cast<std::size_t>(types) * types);
+  for (int i = 1; i <= types; ++i) {
+    for (int j = i; j <= types; ++j) {
+      const std::string pair = types_text(std::to_string(i), std::to_string(j));
+      if (!setflag[i][j]) law_.fail("expected '" + pair + " ...': constants of two types are not mixed");
+      ContactParameters p;
+      for (std::size_t k = 0; k < table.size(); ++k) {
+        const auto& value = coefficients(i, j)[k];
+        if (value) p.*table[k].member = *value;
+        if (!value && is_needed(table[k], law_.effects()))
+          law_.fail(pair + " needs the constant " + table[k].symbol + "; expected '" + pair + " ... " +
+                    table[k].keyword + " VALUE'");
+      }
+      all[static_cast<std::size_t>(i - 1) * types + j - 1] = p;
+      all[static_cast<std::size_t>(j - 1) * types + i - 1] = p;
+    }
+  }
+  return all;
+}
+
+/// Discs that touch.
+double PairDisc::init_one(int i, int j) {
+  return largest_radius_[i] + largest_radius_[j];
+}
+
+void PairDisc::compute(int eflag, int vflag) {
+  ev_init(eflag, vflag);
+  law_.evaluate({*list, true, update->setupflag == 0, evflag != 0});
+}
+
+void PairDisc::write_restart(FILE* file) {
+  law_.write_settings(file, restart_key);
+  for (int i = 1; i <= atom->ntypes; ++i) {
+    for (int j = i; j <= atom->ntypes; ++j) {
+      std::fwrite(&setflag[i][j], sizeof(int), 1, file);
+      std::fwrite(&coefficients(i, j), sizeof(Coefficients), 1, file);
+    }
+  }
+}
+
+void PairDisc::read_restart(FILE* file) {
+  law_.read_settings(file, restart_key);
+  if (!allocated) allocate();
+  for (int i = 1; i <= atom->ntypes; ++i) {
+    for (int j = i; j <= atom->ntypes; ++j) {
+      if (comm->me == 0) {
+        utils::sfread(FLERR, &setflag[i][j], sizeof(int), 1, file, nullptr, error);
+        utils::sfread(FLERR, &coefficients(i, j), sizeof(Coefficients), 1, file, nullptr, error);
+      }
+      MPI_Bcast(&setflag[i][j], 1, MPI_INT, 0, world);
+      MPI_Bcast(&coefficients(i, j), sizeof(Coefficients), MPI_BYTE, 0, world);
+    }
+  }
+}
+
+double PairDisc::memory_usage() {
+  return static_cast<double>(law_.bytes_of_pairs());
+}
+
+PairDisc::Law::Law(PairDisc& pair, LAMMPS* engine, physics::Normal normal)
+    : DiscLaw(engine), pair_(pair), normal_(normal) {
+  forget_settings(normal_, Tangential::none);
+}
+
+std::string PairDisc::Law::style() const {
+  return normal_ == physics::Normal::hertz ? "pair_style disc/hertz" : "pair_style disc/linear";
+}
+
+void PairDisc::Law::read(int narg, char** arg) {
+  require_two_dimensions();
+  forget_settings(normal_, Tangential::none);
+  Arguments arguments(*lmp, style(), narg, arg);
+  while (arguments.more()) {
+    if (take_setting(arguments)) continue;
+    if (!arguments.take("tangential"))
+      fail("unknown keyword '" + arguments.word("keyword") +
+           "'; expected tangential, damping, tangential_damping" +
+           (normal_ == physics::Normal::hertz ? ", limitForce or impact_velocity" : " or limitForce"));
+    if (arguments.take("disc/viscous")) {
+      set_tangential(Tangential::viscous_coulomb);
+    } else if (arguments.take("disc/cundall_strack")) {
+      set_tangential(Tangential::spring);
+    } else if (arguments.take("off")) {
+      set_tangential(Tangential::none);
+    } else {
+      arguments.unexpected("tangential off, disc/viscous or disc/cundall_strack");
+    }
+  }
+  use_settings();
+}
+
+/// Those that a script has given for all pairs of types.
+std::vector<MaterialConstant> PairDisc::Law::given_constants() const {
+  std::vector<MaterialConstant> all;
+  const int types = atom->ntypes;
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const bool hertz_stiffness = k == 0 && normal_ == physics::Normal::hertz;
+    const std::array<const char*, constants> units = {hertz_stiffness ? "N/m^2" : "N/m", "kg/s", "N/m",
+                                                      "kg/s", ""};
+    MaterialConstant constant{table[k].name, units[k], {}};
+    for (int i = 1; i <= types; ++i) {
+      for (int j = 1; j <= types; ++j) {
+        const auto& value = pair_.coefficients(std::min(i, j), std::max(i, j))[k];
+        if (value) constant.values.push_back(*value);
+      }
+    }
+    if (constant.values.size() == static_cast<std::size_t>(types) * types) all.push_back(std::move(constant));
+  }
+  return all;
+}
+
+void PairDisc::Law::keep_springs_with_atoms() {
+  if (pair_.history_) pair_.history_->pre_exchange();
+}
+
+DiscLaw::History PairDisc::Law::history() {
+  return {pair_.history_->firstflag, pair_.history_->firstvalue, history_size};
+}
+
+void PairDisc::Law::tell_engine(const ObservedContact& c) {
+  pair_.ev_tally_xyz(c.i, c.j, atom->nlocal, 0, 0.0, 0.0, c.f_x, c.f_y, 0.0, -c.d_x, -c.d_y, 0.0);
+}
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,86 @@
+// pair_style disc/linear|disc/hertz [tangential off|disc/viscous|disc/cundall_strack] [damping on|off]
+//                        [tangential_damping on|off] [limitForce on|off]; disc/hertz: [impact_velocity V]
+// pair_coeff I J kn K [gamman G] [kt K] [gammat G] [mu M]
+//
+// The disc law as LAMMPS asks for it. Without `tangential` there is no friction; damping is on, the others
+// are off where they are not given. Constants are those of docs/conventions.md: k_n (N/m; Hertz: N/m^2),
+// gamma_n (kg/s), k_t (N/m), gamma_t (kg/s), mu; those that the law does not use need not be given. There is
+// no mixing: each pair of types needs its pair_coeff (ranges and * as everywhere); a later one replaces all
+// that an earlier one said. Settings and constants go into restart files, springs too.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "disc_law.h"
+#include "pair.h"
+
+namespace LAMMPS_NS {
+class FixNeighHistory;
+}
+
+namespace mikromakro::styles {
+
+class PairDisc : public LAMMPS_NS::Pair {
+ public:
+  PairDisc(LAMMPS_NS::LAMMPS* engine, physics::Normal normal);
+  ~PairDisc() override;
+  PairDisc(const PairDisc&) = delete;
+  PairDisc& operator=(const PairDisc&) = delete;
+
+  void settings(int narg, char** arg) override;
+  void coeff(int narg, char** arg) override;
+  void init_style() override;
+  double init_one(int i, int j) override;
+  void compute(int eflag, int vflag) override;
+  void write_restart(FILE* file) override;
+  void read_restart(FILE* file) override;
+  double memory_usage() override;
+
+  DiscLaw& law() { return law_; }
+
+ private:
+  /// The law, with the engine's lists of springs.
+  class Law : public DiscLaw {
+   public:
+    Law(PairDisc& pair, LAMMPS_NS::LAMMPS* engine, physics::Normal normal);
+    std::string style() const override;
+    std::vector<MaterialConstant> given_constants() const override;
+    void keep_springs_with_atoms() override;
+    void read(int narg, char** arg);
+
+    using DiscLaw::begin_run;
+    using DiscLaw::evaluate;
+    using DiscLaw::fail;
+    using DiscLaw::history_size;
+    using DiscLaw::read_settings;
+    using DiscLaw::require_two_dimensions;
+    using DiscLaw::write_settings;
+
+   protected:
+    History history() override;
+    void tell_engine(const ObservedContact& contact) override;
+
+   private:
+    PairDisc& pair_;
+    physics::Normal normal_;
+  };
+
+  static constexpr int constants = 5;
+  /// Of a pair of types: kn, gamman, kt, gammat, mu.
+  using Coefficients = std::array<std::optional<double>, constants>;
+  void allocate();
+  Coefficients& coefficients(int i, int j);
+  const Coefficients& coefficients(int i, int j) const;
+  std::vector<physics::ContactParameters> parameters() const;
+  void provide_history();
+
+  Law law_;
+  LAMMPS_NS::FixNeighHistory* history_ = nullptr;
+  std::vector<Coefficients> coefficients_;  // of types i, j at (i - 1) * types + j - 1, for i <= j
+  std::vector<double> largest_radius_;      // of each type, over all ranks
+};
+
+}  // namespace mikromakro::styles
