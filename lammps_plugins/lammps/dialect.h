@@ -5,6 +5,7 @@
 #include "compute.h"
 #include "fix.h"
 #include "pointers.h"
+#include "update.h"
 
 namespace mikromakro::styles {
 
@@ -22,8 +23,9 @@ class FixOfEngine : public LAMMPS_NS::Fix {
   }
 };
 
-/// A fix that follows the numbers of the steps, which the engine then does not let scripts count anew, and
-/// that checks itself as soon as it is defined and has its state from a restart file, if there is one.
+/// A fix that follows the numbers of the steps, and that checks itself as soon as it is defined and has its
+/// state from a restart file, if there is one. The engine tells no fix when a script counts the steps anew;
+/// so the fix looks whether the number is still that of the end of its last run.
 class FixWithClock : public FixOfEngine {
  public:
   /// The first call after the engine has handed over that state; post_constructor() comes before.
@@ -31,14 +33,24 @@ class FixWithClock : public FixOfEngine {
     once_defined();
     return calls_wanted();
   }
+  void post_run() final { last_step_ = update->ntimestep; }
 
  protected:
   FixWithClock(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) : FixOfEngine(engine, narg, arg) {
-    time_depend = 1;
+    last_step_ = update->ntimestep;
   }
   virtual int calls_wanted() const = 0;
   virtual void once_defined() {}
   virtual void count_steps_anew(LAMMPS_NS::bigint shift) = 0;
+  /// Between two runs, before the fix uses the number of a step.
+  void notice_new_count() {
+    const LAMMPS_NS::bigint shift = update->ntimestep - last_step_;
+    last_step_ = update->ntimestep;
+    if (shift != 0) count_steps_anew(shift);
+  }
+
+ private:
+  LAMMPS_NS::bigint last_step_ = 0;
 };
 
 /// Without the number of the first argument of a style, which is always the same here.

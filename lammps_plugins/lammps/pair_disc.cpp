@@ -67,6 +67,7 @@ PairDisc::PairDisc(LAMMPS* engine, physics::Normal normal) : Pair(engine), law_(
   single_enable = 0;
   no_virial_fdotr_compute = 1;
   finitecutflag = 1;
+  nondefault_history_transfer = 1;
   // Holds the place of the fix with the springs, which can be made only when its data of a restart file are
   // there, before those of the fixes of the script.
   modify->add_fix(std::string(dummy_id) + " all DUMMY");
@@ -212,6 +213,11 @@ void PairDisc::read_restart(FILE* file) {
       MPI_Bcast(&coefficients(i, j), sizeof(Coefficients), MPI_BYTE, 0, world);
     }
   }
+}
+
+/// The other disc of a pair has the same spring: its signs do not depend on which disc is the first.
+void PairDisc::transfer_history(double* from, double* to) {
+  std::copy_n(from, Law::history_size, to);
 }
 
 double PairDisc::memory_usage() {

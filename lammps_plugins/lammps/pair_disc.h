@@ -37,6 +37,7 @@ class PairDisc : public LAMMPS_NS::Pair {
   void compute(int eflag, int vflag) override;
   void write_restart(FILE* file) override;
   void read_restart(FILE* file) override;
+  void transfer_history(double* from, double* to) override;
   double memory_usage() override;
 
   DiscLaw& law() { return law_; }

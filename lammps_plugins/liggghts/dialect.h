@@ -37,6 +37,8 @@ class FixWithClock : public FixOfEngine {
   virtual int calls_wanted() const = 0;
   virtual void once_defined() {}
   virtual void count_steps_anew(LAMMPS_NS::bigint shift) = 0;
+  /// The engine tells it at once.
+  void notice_new_count() {}
 };
 
 using ComputeOfEngine = LAMMPS_NS::Compute;

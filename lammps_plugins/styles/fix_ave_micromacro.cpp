@@ -92,6 +92,7 @@ int FixAveMicromacro::calls_wanted() const {
 }
 
 void FixAveMicromacro::init() {
+  notice_new_count();
   if (!active_disc_law(*lmp))
     stop(*lmp, style, std::string("needs '") + disc_pair_style + "' before the run");
 }

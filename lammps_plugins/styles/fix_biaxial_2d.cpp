@@ -69,6 +69,7 @@ void FixBiaxial2d::once_defined() {
 }
 
 void FixBiaxial2d::init() {
+  notice_new_count();
   follow_time_step(update->ntimestep);
   check_rectangle();
   walls_.init(smooth_walls());

@@ -45,6 +45,7 @@ void FixBiaxial2d::reset_references() {
 int FixBiaxial2d::modify_param(int narg, char** arg) {
   Arguments arguments(*lmp, std::string("fix_modify ") + style, narg, arg);
   const BiaxialChange change = parse_biaxial_change(arguments);
+  notice_new_count();
   follow_time_step(update->ntimestep);
   for (int side = 0; side < 4; ++side) {
     if (change.controls[side]) begin(side, *change.controls[side]);

@@ -61,6 +61,7 @@ void FixCouette2d::once_defined() {
 }
 
 void FixCouette2d::init() {
+  notice_new_count();
   follow_time_step(update->ntimestep);
   check_groups();
   check_radii();

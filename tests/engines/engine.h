@@ -1,4 +1,4 @@
-// A LIGGGHTS engine with the disc styles inside the test process: tests give it input lines and read its
+// An engine with the disc styles inside the test process: tests give it input lines and read its
 // discs and contacts back in full precision.
 #pragma once
 
@@ -8,7 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "engine_lines.h"
 #include "lammps.h"
+
+namespace LAMMPS_NS {
+class Compute;
+class Fix;
+}  // namespace LAMMPS_NS
 
 namespace mikromakro::test {
 
@@ -27,7 +33,7 @@ class Engine {
  public:
   explicit Engine(MPI_Comm ranks = MPI_COMM_WORLD);
 
-  /// Runs input lines as a script would; an error of the engine ends the process.
+  /// Runs lines of LIGGGHTS (engine_lines.h) as a script would; an error of the engine ends the process.
   void run(const std::string& lines);
 
   /// All discs of all ranks by id.
@@ -37,8 +43,12 @@ class Engine {
   std::map<std::pair<int, int>, Contact> contacts(const std::string& compute_id = "contacts") const;
 
   LAMMPS_NS::LAMMPS& lammps() { return *lammps_; }
+  /// The fix or compute of this id; the test fails where there is none.
+  LAMMPS_NS::Fix& fix(const std::string& id) const;
+  LAMMPS_NS::Compute& compute(const std::string& id) const;
 
  private:
+  EngineLines lines_;
   MPI_Comm ranks_;
   LAMMPS_NS::LAMMPS* lammps_;
 };

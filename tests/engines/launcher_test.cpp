@@ -1,5 +1,5 @@
-// liggghts-disc as a program: command line, styles after `clear`, warnings and errors as a user meets them,
-// alone and under mpirun.
+// liggghts-disc and lmp-disc as programs: command line, styles after `clear`, warnings and errors as a user
+// meets them, alone and under mpirun.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -11,6 +11,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "engine_lines.h"
 #include "mikromakro_version.h"
 #include "physics/contact_duration.h"
 
@@ -66,7 +67,7 @@ class Launcher : public testing::Test {
   Ending run(const std::string& arguments, int ranks = 1) const {
     const std::string mpi = ranks > 1 ? fmt::format("{} -n {} ", MPIEXEC, ranks) : "";
     const std::string command = fmt::format("cd {} && timeout 30 </dev/null {}{} {} 2>&1", folder_.string(),
-                                            mpi, LIGGGHTS_DISC, arguments);
+                                            mpi, ENGINE_PROGRAM, arguments);
     FILE* pipe = popen(command.c_str(), "r");
     std::string output;
     char piece[4096];
@@ -78,7 +79,7 @@ class Launcher : public testing::Test {
 
   Ending run_script(const std::string& script, int ranks = 1,
                     const std::string& options = "-log none") const {
-    std::ofstream(folder_ / "in.test") << script;
+    std::ofstream(folder_ / "in.test") << lines_of_engine(script);
     return run("-in in.test " + options, ranks);
   }
 
@@ -110,7 +111,7 @@ TEST_F(Launcher, TakesTheOptionsOfTheEngine) {
   const auto plain = run_script(script, 1, "-var size 17 -echo none -log my.log");
   EXPECT_EQ(plain.lines_with("size is 17"), 1U) << plain.output;
   EXPECT_TRUE(has("my.log"));
-  EXPECT_FALSE(has("log.liggghts"));
+  EXPECT_FALSE(has("log." ENGINE_NAME));
   // Echoed, then printed.
   EXPECT_EQ(run_script(script, 1, "-var size 17 -echo screen -log none").lines_with("size is"), 2U);
   EXPECT_EQ(run_script(script, 1, "-var size 17 -screen none -log none").lines_with("size is"), 0U);
@@ -248,11 +249,11 @@ TEST_F(Launcher, AsksOnlyForTheConstantsOfTheChosenLaw) {
 TEST_F(Launcher, StopsAtDiscsWithTheSameCentreOnWhicheverRankTheyAre) {
   const std::string again =
       "create_atoms 1 single 0.02 0 0 units box\nset group all diameter 0.01 density 6\n";
+  const std::string law = std::string(ENGINE_NAME) == "liggghts" ? "gran model disc/linear" : "disc/linear";
   for (const int ranks : {1, 2}) {
     const auto ending = run_script(two_discs + again + normal_law + five_steps, ranks);
     EXPECT_NE(ending.code, 0);
-    EXPECT_EQ(
-        ending.lines_with("ERROR: pair_style gran model disc/linear: discs 2 and 3 have the same centre"), 1U)
+    EXPECT_EQ(ending.lines_with("ERROR: pair_style " + law + ": discs 2 and 3 have the same centre"), 1U)
         << ending.output;
     EXPECT_EQ(ending.lines_with("nan"), 0U);
   }

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <sstream>
 
 #include "atom.h"
 #include "compute.h"
+#include "fix.h"
 #include "input.h"
 #include "modify.h"
 #include "registration.h"
@@ -68,9 +70,20 @@ void Engine::run(const std::string& lines) {
   std::istringstream text(lines);
   for (std::string line; std::getline(text, line);) {
     current_line = line;
-    lammps_->input->one(line.c_str());
+    for (const auto& own : lines_.of(line)) lammps_->input->one(own.c_str());
   }
   current_line.clear();
+}
+
+LAMMPS_NS::Fix& Engine::fix(const std::string& id) const {
+  const auto& modify = *lammps_->modify;
+  return **std::find_if(modify.fix, modify.fix + modify.nfix, [&](const auto* f) { return f->id == id; });
+}
+
+LAMMPS_NS::Compute& Engine::compute(const std::string& id) const {
+  const auto& modify = *lammps_->modify;
+  return **std::find_if(modify.compute, modify.compute + modify.ncompute,
+                        [&](const auto* c) { return c->id == id; });
 }
 
 std::map<int, Disc> Engine::discs() const {
@@ -92,7 +105,7 @@ std::map<int, Disc> Engine::discs() const {
 }
 
 std::map<std::pair<int, int>, Contact> Engine::contacts(const std::string& compute_id) const {
-  auto* compute = lammps_->modify->find_compute_id(compute_id.c_str());
+  auto* compute = &this->compute(compute_id);
   compute->compute_local();
   std::vector<double> mine;
   for (int k = 0; k < compute->size_local_rows; ++k) {

@@ -15,6 +15,7 @@
 #include <sstream>
 #include <thread>
 
+#include "engine_lines.h"
 #include "io/frame_stream.h"
 #include "io/hdf5_file.h"
 #include "io/snapshot_reader.h"
@@ -122,11 +123,11 @@ class SnapshotOfARun : public testing::Test {
   std::string path(const std::string& file) const { return (folder_ / file).string(); }
 
   std::string command(const std::string& script, int ranks) const {
-    std::ofstream(folder_ / "in.test") << script;
+    std::ofstream(folder_ / "in.test") << lines_of_engine(script);
     const std::string mpi =
         ranks > 1 ? fmt::format("{} --mca mpi_yield_when_idle 1 -n {} ", MPIEXEC, ranks) : "";
     return fmt::format("cd {} && exec {}{} -in in.test -log none </dev/null >screen.txt 2>&1",
-                       folder_.string(), mpi, LIGGGHTS_DISC);
+                       folder_.string(), mpi, ENGINE_PROGRAM);
   }
 
   void run(const std::string& script, int ranks) const {

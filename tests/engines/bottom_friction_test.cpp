@@ -18,7 +18,7 @@ constexpr double radius = 3.71e-3, mu_b = 0.1, g = 9.81, deceleration = mu_b * g
 
 /// Energy that the bottom has taken [J].
 double taken(Engine& engine) {
-  return engine.lammps().modify->find_fix_id("bottom")->compute_scalar();
+  return engine.fix("bottom").compute_scalar();
 }
 
 /// So soft that no contact, of which there is none, asks for a short time step.
@@ -47,7 +47,7 @@ TEST(BottomFriction, DeceleratesASlidingDiscUniformlyAlongItsWay) {
   EXPECT_NEAR(d.y, 0.8 * way, 3e-15);
   EXPECT_EQ(d.omega, 7);  // spins are left alone
   EXPECT_NEAR(taken(engine), d.mass * (0.3 * 0.3 - v * v) / 2, 1e-15);
-  const double power = engine.lammps().modify->find_fix_id("bottom")->compute_vector(0);
+  const double power = engine.fix("bottom").compute_vector(0);
   // The velocity that the step predicted: rounding only, under a constant force.
   EXPECT_NEAR(power, d.mass * deceleration * v, 1e-15);
 }

@@ -1,0 +1,9 @@
+#include "engine_lines.h"
+
+namespace mikromakro::test {
+
+std::vector<std::string> EngineLines::of(const std::string& line) {
+  return {line};
+}
+
+}  // namespace mikromakro::test
