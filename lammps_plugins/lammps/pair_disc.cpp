@@ -118,8 +118,7 @@ void PairDisc::coeff(int narg, char** arg) {
     const auto constant = std::find_if(table.begin(), table.end(),
                                        [&](const Constant& c) { return arguments.take(c.keyword); });
     if (constant == table.end()) arguments.unexpected("kn, gamman, kt, gammat or mu");
-    given[constant - table.begin()] = constant->positive ? arguments.positive(constant->keyword)
-                                                         : arguments.not_negative(constant->keyword);
+    given[constant - table.begin()] = arguments.not_negative(constant->keyword);
   }
   int count = 0;
   for (int i = i_low; i <= i_high; ++i) {
@@ -158,23 +157,30 @@ void PairDisc::provide_history() {
   history_->pair = this;
 }
 
+ContactParameters PairDisc::parameters(int i, int j) const {
+  const std::string pair = types_text(std::to_string(i), std::to_string(j));
+  if (!setflag[i][j]) law_.fail("expected '" + pair + " ...': constants of two types are not mixed");
+  ContactParameters p;
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const auto& [keyword, symbol, name, member, positive] = table[k];
+    const auto& value = coefficients(i, j)[k];
+    if (value) p.*member = *value;
+    if (!is_needed(table[k], law_.effects())) continue;
+    if (!value)
+      law_.fail(pair + " needs the constant " + symbol + "; expected '" + pair + " ... " + keyword +
+                " VALUE'");
+    if (positive && *value == 0) law_.fail(pair + ": " + keyword + ": expected > 0, got 0");
+  }
+  return p;
+}
+
 std::vector<ContactParameters> PairDisc::parameters() const {
   const int types = atom->ntypes;
   std::vector<ContactParameters> all(static_cast<std::size_t>(types) * types);
   for (int i = 1; i <= types; ++i) {
     for (int j = i; j <= types; ++j) {
-      const std::string pair = types_text(std::to_string(i), std::to_string(j));
-      if (!setflag[i][j]) law_.fail("expected '" + pair + " ...': constants of two types are not mixed");
-      ContactParameters p;
-      for (std::size_t k = 0; k < table.size(); ++k) {
-        const auto& value = coefficients(i, j)[k];
-        if (value) p.*table[k].member = *value;
-        if (!value && is_needed(table[k], law_.effects()))
-          law_.fail(pair + " needs the constant " + table[k].symbol + "; expected '" + pair + " ... " +
-                    table[k].keyword + " VALUE'");
-      }
-      all[static_cast<std::size_t>(i - 1) * types + j - 1] = p;
-      all[static_cast<std::size_t>(j - 1) * types + i - 1] = p;
+      all[static_cast<std::size_t>(i - 1) * types + j - 1] = parameters(i, j);
+      all[static_cast<std::size_t>(j - 1) * types + i - 1] = parameters(i, j);
     }
   }
   return all;

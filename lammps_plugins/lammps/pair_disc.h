@@ -75,6 +75,7 @@ class PairDisc : public LAMMPS_NS::Pair {
   void allocate();
   Coefficients& coefficients(int i, int j);
   const Coefficients& coefficients(int i, int j) const;
+  physics::ContactParameters parameters(int i, int j) const;
   std::vector<physics::ContactParameters> parameters() const;
   void provide_history();
 

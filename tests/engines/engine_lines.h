@@ -22,7 +22,7 @@ class EngineLines {
   std::vector<std::string> coefficients() const;
 
   std::map<std::string, Constant> constants_;
-  bool law_defined_ = false;
+  bool law_defined_ = false, coefficients_due_ = false;
 };
 
 /// All lines of a script.

@@ -98,14 +98,20 @@ std::vector<std::string> EngineLines::of(const std::string& line) {
     return {"comm_modify mode single vel yes"};
   } else if (command == "fix" && words.size() > 6 && words[3] == "property/global") {
     constants_[words[1]] = {keywords.at(words[4]), std::stoi(words[6]), {words.begin() + 7, words.end()}};
-    return law_defined_ ? coefficients() : Words{};
+    return coefficients_due_ ? coefficients() : Words{};
   } else if (command == "unfix" && constants_.erase(words[1]) > 0) {
     return {};
   } else if (starts({"pair_style", "gran", "model"}) && words[3].starts_with("disc/")) {
-    return {law(words)};
-  } else if (starts({"pair_coeff", "*", "*"}) && !constants_.empty()) {
     law_defined_ = true;
+    return {law(words)};
+  } else if (starts({"pair_coeff", "*", "*"}) && law_defined_) {
+    // Scripts of LIGGGHTS may give constants later.
+    coefficients_due_ = true;
     return coefficients();
+  } else if (command == "read_restart") {
+    // Of its count of degrees of freedom, which a single disc would make negative, the engine knows only from
+    // the command `dimension` that it is in the plane.
+    return {line, "compute_modify thermo_temp extra/dof 2"};
   } else if (command == "set") {
     return {set_command(words)};
   } else if (command == "dump_modify") {
