@@ -44,7 +44,7 @@ struct MaterialConstant {
 class DiscLaw : protected LAMMPS_NS::Pointers {
  public:
   explicit DiscLaw(LAMMPS_NS::LAMMPS* engine) : Pointers(engine) {}
-  virtual ~DiscLaw() = default;
+  ~DiscLaw() override = default;
   DiscLaw(const DiscLaw&) = delete;
   DiscLaw& operator=(const DiscLaw&) = delete;
 

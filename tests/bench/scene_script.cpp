@@ -63,20 +63,34 @@ std::string stock_integration(const DiscScene& scene) {
       period(scene));
 }
 
-std::string lammps_script(const DiscScene& scene, const std::string& data_file, int warm_up, int steps) {
+std::string lammps_stock_styles(const DiscScene& scene) {
   const auto& m = scene.material;
   // Damping of this pair style is a rate, multiplied by the effective mass; that of two small discs.
   const double m12 = scene.density * std::numbers::pi * 0.00371 * 0.00371 / 2;
+  return fmt::format("pair_style gran/hooke/history {} {} {} NULL {} 0\npair_coeff * *\n", m.normal_stiffness,
+                     m.tangential_stiffness, m.normal_damping / m12, m.friction) +
+         fmt::format(
+             "fix integrate free nve/sphere disc\nfix plane all enforce2d\n"
+             "fix wheel inner move rotate 0 0 0 0 0 1 {}\n",
+             period(scene));
+}
+
+std::string lammps_disc_styles(const DiscScene& scene) {
+  const auto& m = scene.material;
+  return fmt::format(
+             "pair_style disc/linear tangential disc/cundall_strack\n"
+             "pair_coeff * * kn {} kt {} gamman {} mu {}\n",
+             m.normal_stiffness, m.tangential_stiffness, m.normal_damping, m.friction) +
+         disc_integration(scene);
+}
+
+std::string lammps_script(const DiscScene& scene, const std::string& data_file, const std::string& styles,
+                          int warm_up, int steps) {
   return "units si\natom_style sphere\ndimension 2\nnewton off\ncomm_modify vel yes\nprocessors * * 1\n"
          "boundary f f p\nread_data " +
          data_file + fmt::format("\nset group all density/disc {}\n", scene.density) + groups +
-         neighbours(scene) +
-         fmt::format("pair_style gran/hooke/history {} {} {} NULL {} 0\npair_coeff * *\n", m.normal_stiffness,
-                     m.tangential_stiffness, m.normal_damping / m12, m.friction) +
-         fmt::format("timestep {}\nfix integrate free nve/sphere disc\nfix plane all enforce2d\n",
-                     scene.time_step) +
-         fmt::format("fix wheel inner move rotate 0 0 0 0 0 1 {}\nrun {}\nrun {}\n", period(scene), warm_up,
-                     steps);
+         neighbours(scene) + fmt::format("timestep {}\n", scene.time_step) + styles +
+         fmt::format("run {}\nrun {}\n", warm_up, steps);
 }
 
 std::string temporary_file(const std::string& name) {

@@ -25,8 +25,13 @@ void read_scene(test::Engine& engine, const DiscScene& scene, const std::string&
 std::string disc_integration(const DiscScene& scene);
 std::string stock_integration(const DiscScene& scene);
 
-/// A script for the program `lmp` that runs `warm_up` and then `steps` steps of the scene.
-std::string lammps_script(const DiscScene& scene, const std::string& data_file, int warm_up, int steps);
+/// Law, integration and rings of LAMMPS: its own, and ours in it.
+std::string lammps_stock_styles(const DiscScene& scene);
+std::string lammps_disc_styles(const DiscScene& scene);
+
+/// A script for the programs `lmp` and `lmp-disc` that runs `warm_up` and then `steps` steps of the scene.
+std::string lammps_script(const DiscScene& scene, const std::string& data_file, const std::string& styles,
+                          int warm_up, int steps);
 
 /// A name in the folder for temporary files, of this process alone.
 std::string temporary_file(const std::string& name);

@@ -71,14 +71,14 @@ double run_reference(const Task& task) {
   return elapsed.count() / task.steps;
 }
 
-/// The program of Debian's package `lammps`; without the variables of mpirun, which would make it one of its
-/// ranks.
-double run_lammps(const Task& task) {
+/// A LAMMPS as a program; without the variables of mpirun, which would make it one of its ranks.
+double run_lammps(const Task& task, const std::string& program, const std::string& styles) {
   const std::string script = temporary_file("lammps_script");
   std::FILE* file = std::fopen(script.c_str(), "w");
-  std::fputs(lammps_script(task.scene, task.data_file, warm_up, task.steps).c_str(), file);
+  std::fputs(lammps_script(task.scene, task.data_file, styles, warm_up, task.steps).c_str(), file);
   std::fclose(file);
-  std::FILE* output = popen(("env -i PATH=/usr/bin:/bin lmp -log none -in " + script).c_str(), "r");
+  std::FILE* output =
+      popen(("env -i PATH=/usr/bin:/bin " + program + " -log none -in " + script).c_str(), "r");
   char line[512];
   double seconds = NAN;
   std::string tail;
@@ -88,7 +88,8 @@ double run_lammps(const Task& task) {
   }
   pclose(output);
   std::remove(script.c_str());
-  if (std::isnan(seconds)) throw std::runtime_error("lmp: expected 'Loop time of', got '" + tail + "'");
+  if (std::isnan(seconds))
+    throw std::runtime_error(program + ": expected 'Loop time of', got '" + tail + "'");
   return seconds / task.steps * 1e6;
 }
 
@@ -96,10 +97,15 @@ std::vector<Contender> contenders(int ranks) {
   std::vector<Contender> all;
   all.push_back(
       {"stock LIGGGHTS", 1, [](const Task& t) { return run_liggghts(t, Styles::stock, MPI_COMM_SELF); }});
-  all.push_back({"stock LAMMPS", 1, run_lammps});
+  all.push_back(
+      {"stock LAMMPS", 1, [](const Task& t) { return run_lammps(t, "lmp", lammps_stock_styles(t.scene)); }});
   all.push_back(
       {"disc styles", 1, [](const Task& t) { return run_liggghts(t, Styles::disc, MPI_COMM_SELF); }});
   all.push_back({"stand-alone loop", 1, run_reference});
+#ifdef LMP_DISC
+  all.push_back({"disc styles in LAMMPS", 1,
+                 [](const Task& t) { return run_lammps(t, LMP_DISC, lammps_disc_styles(t.scene)); }});
+#endif
   if (ranks > 1) {
     all.push_back({"stock LIGGGHTS", ranks,
                    [](const Task& t) { return run_liggghts(t, Styles::stock, MPI_COMM_WORLD); }});
@@ -131,6 +137,11 @@ void race(std::vector<Contender>& all, const Task& task, int repetitions) {
   }
 }
 
+double median_of(const std::vector<Contender>& all, const std::string& name) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Contender& c) { return c.name == name; });
+  return found == all.end() ? NAN : found->median();
+}
+
 /// Kinetic energy of the free discs after `steps` steps of the disc styles and of the stand-alone loop.
 void compare_energies(const Task& task, int steps) {
   test::Engine engine(MPI_COMM_SELF);
@@ -160,6 +171,9 @@ void print_table(const std::vector<Contender>& all, const Task& task, int repeti
     fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.2f} |\n", c.name, c.ranks, c.median(), c.least(),
                c.most(), c.median() / all[2].median());
   }
+  fmt::print("\nOn one rank, LIGGGHTS: stock over ours {:.2f}; LAMMPS: stock over ours {:.2f}.\n",
+             median_of(all, "stock LIGGGHTS") / median_of(all, "disc styles"),
+             median_of(all, "stock LAMMPS") / median_of(all, "disc styles in LAMMPS"));
 }
 
 int run(int argc, char** argv) {
