@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <csignal>
-#include <cstring>
 #include <iterator>
 #include <numeric>
 
 #include "atom.h"
 #include "comm_brick.h"
 #include "error.h"
+#include "fix_disc_history.h"
 #include "force.h"
 #include "integrate.h"
 #include "lammps.h"
@@ -80,6 +80,7 @@ void register_disc_laws(LAMMPS& engine) {
   check_version(engine);
   (*engine.force->pair_map)["disc/linear"] = make_pair_disc<physics::Normal::linear>;
   (*engine.force->pair_map)["disc/hertz"] = make_pair_disc<physics::Normal::hertz>;
+  (*engine.modify->fix_map)["NEIGH_HISTORY/DISC"] = make_fix<FixDiscHistory>;
 }
 
 DiscLaw* active_disc_law(LAMMPS& engine) {
@@ -144,7 +145,7 @@ bool leaves_discs_alone(const Fix& fix, int mask) {
   using namespace FixConst;
   constexpr int harmless = END_OF_STEP | POST_RUN | MIN_PRE_EXCHANGE | MIN_PRE_NEIGHBOR | MIN_POST_NEIGHBOR |
                            MIN_PRE_FORCE | MIN_PRE_REVERSE | MIN_POST_FORCE | MIN_ENERGY;
-  const bool history = std::strcmp(fix.style, "NEIGH_HISTORY") == 0;
+  const bool history = dynamic_cast<const FixDiscHistory*>(&fix) != nullptr;
   return (mask & ~(harmless | (history ? PRE_EXCHANGE | POST_NEIGHBOR : 0))) == 0;
 }
 

@@ -8,7 +8,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "engine_access.h"
-#include "fix_neigh_history.h"
+#include "fix_disc_history.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
@@ -152,8 +152,8 @@ void PairDisc::init_style() {
 void PairDisc::provide_history() {
   if (history_ || !law_.effects().spring()) return;
   const std::string command =
-      std::string(history_id) + " all NEIGH_HISTORY " + std::to_string(Law::history_size);
-  history_ = dynamic_cast<FixNeighHistory*>(modify->replace_fix(dummy_id, command, 1));
+      std::string(history_id) + " all NEIGH_HISTORY/DISC " + std::to_string(Law::history_size);
+  history_ = dynamic_cast<FixDiscHistory*>(modify->replace_fix(dummy_id, command, 1));
   history_->pair = this;
 }
 

@@ -17,11 +17,9 @@
 #include "disc_law.h"
 #include "pair.h"
 
-namespace LAMMPS_NS {
-class FixNeighHistory;
-}
-
 namespace mikromakro::styles {
+
+class FixDiscHistory;
 
 class PairDisc : public LAMMPS_NS::Pair {
  public:
@@ -80,7 +78,7 @@ class PairDisc : public LAMMPS_NS::Pair {
   void provide_history();
 
   Law law_;
-  LAMMPS_NS::FixNeighHistory* history_ = nullptr;
+  FixDiscHistory* history_ = nullptr;
   std::vector<Coefficients> coefficients_;  // of types i, j at (i - 1) * types + j - 1, for i <= j
   std::vector<double> largest_radius_;      // of each type, over all ranks
 };

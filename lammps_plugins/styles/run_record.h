@@ -9,8 +9,8 @@ class LAMMPS;
 
 namespace mikromakro::styles {
 
-/// Units, names of the effects that are simulated, engine, and the material constants that are given (fix
-/// property/global) under their names; the thickness where it is given (m, > 0). To be called when a run
+/// Units, names of the effects that are simulated, engine, and the material constants that are given
+/// under their names; the thickness where it is given (m, > 0). To be called when a run
 /// starts.
 SnapshotParameters run_record(LAMMPS_NS::LAMMPS& engine, double height);
 

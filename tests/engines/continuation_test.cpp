@@ -165,6 +165,17 @@ TEST_P(Continuation, FromAFileWrittenBetweenTwoRuns) {
   expect_equal(went_on, state());
 }
 
+// All discs drift, so that some are due for other ranks when the file is written.
+TEST_P(Continuation, IsNotChangedByWritingAFile) {
+  const std::string drift = "velocity all set 1 0 0 sum yes units box\nrun 40\n";
+  create();
+  engine_.run(drift + "write_restart " + file_ + "\nrun 40\n");
+  const State written = state();
+  create();
+  engine_.run(drift + "run 40\n");
+  expect_equal(written, state());
+}
+
 TEST_P(Continuation, OfARunByASecondRun) {
   create();
   engine_.run(files_every(300) + "run 600\n");

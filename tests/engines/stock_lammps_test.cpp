@@ -32,7 +32,8 @@ std::string lonely_pairs() {
   for (int k = 0; k < pairs; ++k) {
     const double a_1 = uniform(0.003, 0.005), a_2 = uniform(0.003, 0.005), angle = uniform(0, 2 * M_PI);
     const double distance = a_1 + a_2 - uniform(1e-5, 2e-4);
-    const double x = -0.3 + 0.06 * (k % 10), y = -0.3 + 0.06 * static_cast<double>(k / 10);
+    const int row = k / 10;
+    const double x = -0.3 + 0.06 * (k % 10), y = -0.3 + 0.06 * row;
     lines += disc(2 * k + 1, x, y, a_1, density) +
              disc(2 * k + 2, x + distance * std::cos(angle), y + distance * std::sin(angle), a_2, density);
     for (const int id : {2 * k + 1, 2 * k + 2})
