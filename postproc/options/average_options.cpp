@@ -37,10 +37,10 @@ std::unique_ptr<const Averager> make_averager(const AverageOptions& options) {
   return make_averager(options.volumes, fields_of(options.fields, options.volumes));
 }
 
-void Averaged::add(std::int64_t step, const Rows& frame_sums) {
+void Averaged::add(std::int64_t step, const Rows& frame_sums, std::int64_t run) {
   if (sums.frames() == 0) range.first_step = step;
   range.last_step = step;
-  sums.add(frame_sums);
+  sums.add(frame_sums, run);
 }
 
 void describe_frames(const Averaged& averaged, Preamble& lines) {
