@@ -76,7 +76,8 @@ double GaussKernel::line_part(double h, double t_1, double t_2) const {
     return 1.0;
   };
   double part = h * integral_of_parts(*this, first, last, 1, along);
-  if (h != 0) part += angle_between(h, t_1, first) + angle_between(h, last, t_2);
+  if (h != 0 && t_1 != first) part += angle_between(h, t_1, first);
+  if (h != 0 && t_2 != last) part += angle_between(h, last, t_2);
   return part / (2 * pi);
 }
 
