@@ -26,10 +26,10 @@ void add_average_options(CLI::App& app, AverageOptions& options) {
   app.add_option("--error-blocks", options.error_blocks,
                  "blocks of frames that are kept for standard errors, default 64; 0 for no errors")
       ->check(CLI::Range(0, 100000));
-  app.add_option(
-         "--out", options.out,
-         "FILE.csv, .h5 or .vtkhdf (ParaView), or - for CSV on standard output (default); may be given "
-         "more than once")
+  app.add_option("--out", options.out,
+                 "FILE.csv, .h5, .vtkhdf or .hdf (both ParaView), or - for CSV on standard output (default); "
+                 "may be given "
+                 "more than once")
       ->allow_extra_args(false);
 }
 
