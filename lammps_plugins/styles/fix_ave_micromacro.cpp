@@ -60,7 +60,7 @@ FixAveMicromacro::FixAveMicromacro(LAMMPS_NS::LAMMPS* engine, int narg, char** a
   }
   if (options_.out.empty()) arguments.fail("expected 'file NAME'");
   if (std::find(options_.out.begin(), options_.out.end(), "-") != options_.out.end())
-    arguments.fail("file: expected a name ending in .csv, .h5 or .vtkhdf, got '-'");
+    arguments.fail("file: expected a name ending in .csv, .h5, .vtkhdf or .hdf, got '-'");
   const auto windows = std::count_if(options_.out.begin(), options_.out.end(), numbered);
   windows_ = windows > 0;
   if (windows_ && windows < std::ssize(options_.out))

@@ -2,9 +2,9 @@
 //
 // The averages of `mikromakro average`, taken while the run goes on: in every step that is a multiple of
 // Nevery the sums over the discs of the group and their contacts are added up, and in every one that is a
-// multiple of Nfreq the table is written. NAME ends in .csv, .h5 or .vtkhdf. A * in it becomes the time step:
-// then each file has the mean of its own Nfreq/Nevery frames; without a *, the file is replaced each time by
-// the mean of all frames since the fix was defined. A restart begins anew.
+// multiple of Nfreq the table is written. NAME ends in .csv, .h5, .vtkhdf or .hdf. A * in it becomes the time
+// step: then each file has the mean of its own Nfreq/Nevery frames; without a *, the file is replaced each
+// time by the mean of all frames since the fix was defined. A restart begins anew.
 //
 // OPTIONS are those of the program that say over what and how is averaged, without the dashes in front:
 //   rings RMIN RMAX N  edges R0,R1,...  center X Y  sectors M  grid ...  box ...  weight W  branch B  height

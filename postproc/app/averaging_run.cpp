@@ -44,7 +44,7 @@ Averaged average_frames(const FrameSource& source, const SumFrame& sum, TimeAver
     sum_in_order(next, sum, threads_of(options, ranks), take);
   };
   ranks.gather_in_order(read_and_sum, [&](const FrameSums& frame) {
-    averaged.add(frame.step, frame.sums);
+    averaged.add(frame.step, frame.sums, frame.run);
     progress.update(bytes, averaged.sums.frames());
   });
   return averaged;

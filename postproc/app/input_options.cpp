@@ -10,6 +10,8 @@ namespace mikromakro {
 
 void add_input_options(CLI::App& app, InputOptions& options) {
   app.add_option("input", options.snapshots, "HDF5 snapshots (names or patterns), instead of text dumps");
+  app.add_option("--snapshots", options.snapshot_runs,
+                 "the same as an option; given again for every further run");
   app.add_option(
       "--particles", options.particles,
       "text dumps of particles, or .data of MercuryDPM (names or patterns; plain or compressed by gzip "
@@ -28,34 +30,44 @@ void add_input_options(CLI::App& app, InputOptions& options) {
 
 namespace {
 
-void add_runs(const InputOptions& options, FrameSource& source) {
+std::vector<Run> snapshot_runs(const InputOptions& options) {
+  std::vector<Run> runs;
+  if (!options.snapshots.empty()) runs.push_back({{}, {}, expand_files(options.snapshots)});
+  for (const auto& files : options.snapshot_runs) runs.push_back({{}, {}, expand_files(files)});
+  return runs;
+}
+
+std::vector<Run> dump_runs(const InputOptions& options) {
   if (!options.contacts.empty() && options.contacts.size() != options.particles.size())
     throw bad_input({"--contacts"}, "runs do not match", fmt::format("{} times", options.particles.size()),
                     fmt::format("{}", options.contacts.size()));
+  std::vector<Run> runs;
   for (std::size_t i = 0; i < options.particles.size(); ++i) {
-    Run run{expand_files(options.particles[i]), {}};
-    if (!options.contacts.empty()) run.contact_files = expand_files(options.contacts[i]);
-    if (i > 0) {
-      source.further_runs.push_back(std::move(run));
-    } else {
-      source.particle_files = std::move(run.particle_files);
-      source.contact_files = std::move(run.contact_files);
-    }
+    runs.push_back({expand_files(options.particles[i]), {}, {}});
+    if (!options.contacts.empty()) runs.back().contact_files = expand_files(options.contacts[i]);
   }
+  return runs;
+}
+
+bool has_snapshots(const InputOptions& options) {
+  return !options.snapshots.empty() || !options.snapshot_runs.empty();
 }
 
 }  // namespace
 
 FrameSource frame_source(const InputOptions& options) {
-  if (options.snapshots.empty() == options.particles.empty())
+  if (has_snapshots(options) != options.particles.empty())
     throw bad_input({"--particles"}, "the input is not clear", "either HDF5 snapshots or --particles",
                     options.particles.empty() ? "none" : "both");
-  if (!options.snapshots.empty() && !options.contacts.empty())
+  if (has_snapshots(options) && !options.contacts.empty())
     throw bad_input({"--contacts"}, "HDF5 snapshots hold their contacts",
                     "--contacts beside --particles only", "both");
   FrameSource source;
-  source.snapshot_files = expand_files(options.snapshots);
-  add_runs(options, source);
+  std::vector<Run> runs = has_snapshots(options) ? snapshot_runs(options) : dump_runs(options);
+  source.particle_files = std::move(runs.front().particle_files);
+  source.contact_files = std::move(runs.front().contact_files);
+  source.snapshot_files = std::move(runs.front().snapshot_files);
+  source.further_runs.assign(std::next(runs.begin()), runs.end());
   source.density = options.density;
   source.particle_columns = options.particle_columns;
   source.contact_columns = options.contact_columns;
@@ -65,12 +77,12 @@ FrameSource frame_source(const InputOptions& options) {
 }
 
 void require_contacts(const InputOptions& options, std::string_view what) {
-  if (!options.contacts.empty() || !options.snapshots.empty()) return;
+  if (!options.contacts.empty() || has_snapshots(options)) return;
   throw bad_input({"--contacts"}, fmt::format("{} contacts", what), "files of contacts", "none");
 }
 
 FrameSource source_of(const InputOptions& options, const Averager& averager) {
-  if (options.contacts.empty() && options.snapshots.empty() && averager.needs_contacts()) {
+  if (options.contacts.empty() && !has_snapshots(options) && averager.needs_contacts()) {
     throw bad_input({"--contacts"}, "the fields need contacts",
                     "files of contacts, or --fields that need none", "none");
   }
@@ -81,15 +93,13 @@ FrameSource source_of(const InputOptions& options, const Averager& averager) {
 }
 
 void describe_input(const InputOptions& options, const FrameSource& source, Preamble& lines) {
-  for (const std::string& file : source.snapshot_files) lines.emplace_back("snapshots", file);
-  const auto add = [&](const Run& run) {
+  const std::vector<Run> runs = source.runs();
+  if (runs.size() > 1) lines.emplace_back("runs", fmt::format("{}, one after the other", runs.size()));
+  for (const Run& run : runs) {
+    for (const std::string& file : run.snapshot_files) lines.emplace_back("snapshots", file);
     for (const std::string& file : run.particle_files) lines.emplace_back("particles", file);
     for (const std::string& file : run.contact_files) lines.emplace_back("contacts", file);
-  };
-  if (!source.further_runs.empty())
-    lines.emplace_back("runs", fmt::format("{}, one after the other", source.further_runs.size() + 1));
-  add({source.particle_files, source.contact_files});
-  for (const Run& run : source.further_runs) add(run);
+  }
   if (source.density > 0) lines.emplace_back("density", fmt::format("{} kg/m^2", source.density));
   if (!options.particle_columns.empty())
     lines.emplace_back("particle columns", fmt::format("{}", fmt::join(options.particle_columns, ",")));

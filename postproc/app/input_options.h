@@ -13,7 +13,7 @@ namespace mikromakro {
 
 struct InputOptions {
   std::vector<std::string> snapshots, particle_columns, contact_columns;
-  std::vector<std::vector<std::string>> particles, contacts;  ///< for each run
+  std::vector<std::vector<std::string>> particles, contacts, snapshot_runs;  ///< for each run
   double density = 0;
   std::string frames, steps;
 };

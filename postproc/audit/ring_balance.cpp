@@ -4,20 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
+#include "audit/table_column.h"
 #include "fields/velocity_gradient.h"
 
 namespace mikromakro {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-Eigen::ArrayXd column(const Table& table, std::string_view name) {
-  for (std::size_t i = 0; i < table.columns.size(); ++i)
-    if (table.columns[i].name == name) return table.rows.col(static_cast<Eigen::Index>(i));
-  throw std::logic_error("the table has no such column");
-}
 
 // The larger one, nan when either is nan: what is not known is not balanced.
 double larger(double a, double b) {
@@ -27,12 +21,12 @@ double larger(double a, double b) {
 }  // namespace
 
 std::vector<RingBalance> ring_balances(const Table& table, double height, double margin) {
-  const Eigen::ArrayXd inner = column(table, "r_inner");
-  const Eigen::ArrayXd outer = column(table, "r_outer");
-  const Eigen::ArrayXd r = column(table, "r");
-  const Eigen::ArrayXd rr = column(table, "sigma_rr");
-  const Eigen::ArrayXd phiphi = column(table, "sigma_phiphi");
-  const Eigen::ArrayXd torque = 2 * std::numbers::pi * r.square() * height * column(table, "sigma_phir");
+  const Eigen::ArrayXd inner = column_of(table, "r_inner");
+  const Eigen::ArrayXd outer = column_of(table, "r_outer");
+  const Eigen::ArrayXd r = column_of(table, "r");
+  const Eigen::ArrayXd rr = column_of(table, "sigma_rr");
+  const Eigen::ArrayXd phiphi = column_of(table, "sigma_phiphi");
+  const Eigen::ArrayXd torque = 2 * std::numbers::pi * r.square() * height * column_of(table, "sigma_phir");
   const Eigen::ArrayXd slope = slopes(r, r * rr);
   std::vector<RingBalance> rings;
   for (Eigen::Index i = 0; i < r.size(); ++i) {

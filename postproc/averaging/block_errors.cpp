@@ -34,23 +34,36 @@ Jackknife jackknife(const std::vector<Rows>& blocks, const Solver& solve) {
   return result;
 }
 
-double autocovariance(const Eigen::ArrayXd& deviation, Eigen::Index lag) {
+// Of blocks of the same run: runs do not depend on each other. Pairs of different runs are left out, and the
+// others count for them.
+double autocovariance(const Eigen::ArrayXd& deviation, const std::vector<std::int64_t>& runs,
+                      Eigen::Index lag) {
   const Eigen::Index count = deviation.size();
-  return (deviation.head(count - lag) * deviation.tail(count - lag)).sum() / static_cast<double>(count);
+  double sum = 0;
+  Eigen::Index pairs = 0;
+  for (Eigen::Index i = 0; i + lag < count; ++i) {
+    if (runs[static_cast<std::size_t>(i)] != runs[static_cast<std::size_t>(i + lag)]) continue;
+    sum += deviation[i] * deviation[i + lag];
+    ++pairs;
+  }
+  if (pairs == 0) return nan;
+  return sum * (static_cast<double>(count - lag) / static_cast<double>(pairs)) / static_cast<double>(count);
 }
 
 // 2 tau in blocks; nan where the series does not fluctuate beyond rounding.
-double correlation_time(const Eigen::ArrayXd& series) {
+double correlation_time(const Eigen::ArrayXd& series, const std::vector<std::int64_t>& runs) {
   const double mean = series.mean();
   const Eigen::ArrayXd deviation = series - mean;
-  const double variance = autocovariance(deviation, 0);
+  const double variance = autocovariance(deviation, runs, 0);
   constexpr double rounding = 1e-13;
   if (!(std::sqrt(variance) > rounding * std::abs(mean))) return nan;
   const auto count = static_cast<double>(series.size());
   double time = 1;
   for (Eigen::Index lag = 1; lag < series.size() / 2; ++lag) {
+    const double covariance = autocovariance(deviation, runs, lag);
+    if (std::isnan(covariance)) break;  // longer than every run
     // The mean of the series is taken off, which lowers each rho by 1/count.
-    time += 2 * (autocovariance(deviation, lag) / variance + 1 / count);
+    time += 2 * (covariance / variance + 1 / count);
     if (static_cast<double>(lag) >= window_over_time * time) break;
   }
   return std::max(time, 1.0);
@@ -76,7 +89,7 @@ BlockErrors block_errors(const TimeAverage& average, const Solver& solve) {
   const Jackknife jack = jackknife(average.blocks(), solve);
   for (Eigen::Index row = 0; row < values.rows(); ++row) {
     for (Eigen::Index column = 0; column < values.cols(); ++column) {
-      const double time = correlation_time(series_at(jack.pseudo_values, row, column));
+      const double time = correlation_time(series_at(jack.pseudo_values, row, column), average.runs());
       errors.correlation_time(row, column) = time * static_cast<double>(average.block_length());
       // Not true for nan either.
       if (blocks >= fewest_independent * time)

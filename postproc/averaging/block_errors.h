@@ -27,9 +27,10 @@ struct BlockErrors {
 /// the standard error of the mean of the blocks; the factor is for blocks that depend on each other.
 ///
 /// 2 tau = 1 + 2 sum rho_k, the integrated correlation time in blocks, comes from the pseudo-values m q - (m
-/// - 1) q_i up to the lag of 1.5 times itself (Sokal's window), and is taken as 1 where it comes out smaller.
-/// No error is given (nan) for fewer than 16 independent blocks, m < 16 * 2 tau: the estimate of tau itself
-/// would be too small; nor for quantities that do not fluctuate, or that are undefined without some block.
+/// - 1) q_i up to the lag of 1.5 times itself (Sokal's window), from blocks of the same run, and is taken as
+/// 1 where it comes out smaller. No error is given (nan) for fewer than 16 independent blocks, m < 16 * 2
+/// tau: the estimate of tau itself would be too small; nor for quantities that do not fluctuate, or that are
+/// undefined without some block.
 BlockErrors block_errors(const TimeAverage& average, const Solver& solve);
 
 /// Appends to a table a column <name>_err for each of `columns`, then effective_samples.

@@ -1,9 +1,10 @@
 #include "averaging/grid_kernel.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "averaging/reached_intervals.h"
 
 namespace mikromakro {
 namespace {
@@ -16,12 +17,7 @@ class Axis {
 
   int intervals() const { return static_cast<int>(edges_.size()) - 1; }
 
-  // The intervals that the kernel reaches into: from the first to before the last.
-  std::pair<int, int> reached(double x) const {
-    const auto first = std::upper_bound(edges_.begin() + 1, edges_.end(), x - reach_) - edges_.begin() - 1;
-    const auto last = std::lower_bound(edges_.begin(), edges_.end() - 1, x + reach_) - edges_.begin();
-    return {static_cast<int>(first), static_cast<int>(last)};
-  }
+  Intervals reached(double x) const { return reached_intervals(edges_, x - reach_, x + reach_); }
 
   // From the point to an edge, in widths.
   double to_edge(int edge, double x) const { return (edges_[static_cast<std::size_t>(edge)] - x) / width_; }
@@ -48,12 +44,13 @@ class GaussGrid : public GridKernel {
   using GridKernel::GridKernel;
 
   void add(const Eigen::Vector2d& point, double factor, ShareSums& shares) const override {
-    const auto columns = x_.reached(point[0]);
-    const auto rows = y_.reached(point[1]);
+    const Intervals columns = x_.reached(point[0]);
+    const Intervals rows = y_.reached(point[1]);
     const std::vector<double> along_x = parts(x_, columns, point[0]);
-    for (int j = rows.first; j < rows.second; ++j) {
-      const double of_row = factor * (below(y_, j + 1, point[1]) - below(y_, j, point[1]));
-      for (int i = columns.first; i < columns.second; ++i)
+    const std::vector<double> along_y = parts(y_, rows, point[1]);
+    for (int j = rows.first; j < rows.last; ++j) {
+      const double of_row = factor * along_y[static_cast<std::size_t>(j - rows.first)];
+      for (int i = columns.first; i < columns.last; ++i)
         shares.add(j * x_.intervals() + i, of_row * along_x[static_cast<std::size_t>(i - columns.first)]);
     }
   }
@@ -65,12 +62,12 @@ class GaussGrid : public GridKernel {
     if (std::abs(q) >= kernel_->reach()) return q < 0 ? 0 : 1;
     return 0.5 * std::erfc(-q / std::numbers::sqrt2);
   }
-  std::vector<double> parts(const Axis& axis, const std::pair<int, int>& range, double x) const {
+  std::vector<double> parts(const Axis& axis, const Intervals& range, double x) const {
     std::vector<double> parts;
-    if (range.second <= range.first) return parts;
-    parts.reserve(static_cast<std::size_t>(range.second - range.first));
+    if (range.last <= range.first) return parts;
+    parts.reserve(static_cast<std::size_t>(range.last - range.first));
     double before = below(axis, range.first, x);
-    for (int i = range.first; i < range.second; ++i) {
+    for (int i = range.first; i < range.last; ++i) {
       const double next = below(axis, i + 1, x);
       parts.push_back(next - before);
       before = next;
@@ -84,19 +81,19 @@ class RadialGrid : public GridKernel {
   using GridKernel::GridKernel;
 
   void add(const Eigen::Vector2d& point, double factor, ShareSums& shares) const override {
-    const auto columns = x_.reached(point[0]);
-    const auto rows = y_.reached(point[1]);
-    if (columns.second <= columns.first) return;
-    std::vector<double> below(static_cast<std::size_t>(columns.second - columns.first) + 1);
+    const Intervals columns = x_.reached(point[0]);
+    const Intervals rows = y_.reached(point[1]);
+    if (columns.last <= columns.first) return;
+    std::vector<double> below(static_cast<std::size_t>(columns.last - columns.first) + 1);
     // Differences of corners give the outlines of the cells.
     const auto corner = [&](int i, int j) {
       const double x = x_.to_edge(i, point[0]);
       const double y = y_.to_edge(j, point[1]);
       return kernel_->line_sweep(x, y) + kernel_->line_sweep(y, x);
     };
-    for (int j = rows.first; j <= rows.second; ++j) {
+    for (int j = rows.first; j <= rows.last; ++j) {
       double left = 0;
-      for (int i = columns.first; i <= columns.second; ++i) {
+      for (int i = columns.first; i <= columns.last; ++i) {
         const double upper = corner(i, j);
         const double next = upper - std::exchange(below[static_cast<std::size_t>(i - columns.first)], upper);
         if (j > rows.first && i > columns.first && next - left > rounding)

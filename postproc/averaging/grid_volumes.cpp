@@ -9,6 +9,7 @@
 
 #include "averaging/disc_corner_area.h"
 #include "averaging/grid_kernel.h"
+#include "averaging/reached_intervals.h"
 #include "io/error.h"
 
 namespace mikromakro {
@@ -22,17 +23,6 @@ void check_edges(const std::vector<double>& edges) {
       throw bad_input({"--grid"}, "edges do not ascend", "finite numbers, each more than the one before",
                       fmt::format("{}", edges[i]));
   }
-}
-
-// The intervals that [low, high] reaches into: from the first to before the last; none where both are equal.
-struct Range {
-  int first;
-  int last;
-};
-Range reached(const std::vector<double>& edges, double low, double high) {
-  const auto first = std::upper_bound(edges.begin() + 1, edges.end(), low) - edges.begin() - 1;
-  const auto last = std::lower_bound(edges.begin(), edges.end() - 1, high) - edges.begin();
-  return {static_cast<int>(first), static_cast<int>(last)};
 }
 
 int interval_of(const std::vector<double>& edges, double x) {
@@ -68,8 +58,8 @@ Eigen::ArrayXd GridVolumes::measure() const {
 }
 
 void GridVolumes::slice(const Eigen::Vector2d& centre, double radius, std::vector<Share>& shares) const {
-  const Range x = reached(x_edges_, centre[0] - radius, centre[0] + radius);
-  const Range y = reached(y_edges_, centre[1] - radius, centre[1] + radius);
+  const Intervals x = reached_intervals(x_edges_, centre[0] - radius, centre[0] + radius);
+  const Intervals y = reached_intervals(y_edges_, centre[1] - radius, centre[1] + radius);
   // Part of the disc left of and below an edge of x and one of y.
   const auto corner = [&](int i, int j) {
     return disc_quadrant_area((x_edges_[static_cast<std::size_t>(i)] - centre[0]) / radius,

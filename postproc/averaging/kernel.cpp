@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "averaging/disc_circle_area.h"
-#include "averaging/gauss_legendre.h"
+#include "averaging/part_integral.h"
+#include "averaging/piecewise_polynomial.h"
 
 namespace mikromakro {
 namespace {
@@ -22,25 +22,12 @@ double angle_between(double h, double t_1, double t_2) {
   return std::atan2(h, t_1) - std::atan2(h, t_2);
 }
 
-// Direction, from the kernel's centre, of the point at the angle delta in [0, pi] of a circle.
-double direction(double d, double R, double delta) {
-  const double half = std::sin(0.5 * delta);
-  return std::atan2(R * std::sin(delta), (R - d) - 2 * R * half * half);
-}
-
-// From begin to end, both in [0, pi].
-double half_arc_part(const Kernel& kernel, double d, double R, double begin, double end) {
-  const double leaves = circle_half_angle(d, kernel.reach(), R);
-  const auto rate = [&](double delta) {
-    const double half = std::sin(0.5 * delta);
-    const double q = std::sqrt((R - d) * (R - d) + 4 * R * d * half * half);
-    return kernel.part_over_square(q) * R * ((R - d) + 2 * d * half * half);
-  };
-  // The distance changes by no more than the smaller of both radii times the angle.
-  const double longest = kernel.smooth_length() / std::min(R, d);
-  double part = gauss_legendre<10>(rate, begin, std::min(end, leaves), longest);
-  if (end > leaves) part += direction(d, R, end) - direction(d, R, std::max(begin, leaves));
-  return part / (2 * pi);
+// (1 - exp(-s/2))/s, s = q^2, as far as the kernel reaches: the exponential of a piece of 2 in s is met by
+// ten terms to 1e-13.
+const PiecewisePolynomial& gauss_table() {
+  static const PiecewisePolynomial table([](double s) { return s < 1e-16 ? 0.5 : -std::expm1(-0.5 * s) / s; },
+                                         {0, 50}, 2);
+  return table;
 }
 
 }  // namespace
@@ -67,17 +54,30 @@ double GaussKernel::part_over_square(double q) const {
   return square < 1e-16 ? 0.5 : -std::expm1(-0.5 * square) / square;
 }
 
+Kernel::Pieces GaussKernel::pieces() const {
+  return {0.7, 1.8, 4};
+}
+
+void GaussKernel::parts_over_squares(std::span<double> squares) const {
+  static const PiecewisePolynomial& table = gauss_table();
+  for (double& square : squares) square = table(square);
+}
+
 double GaussKernel::inner_sweep(double h, double t) const {
   return line_part(h, 0, t);
 }
 
 double GaussKernel::line_part(double h, double t_1, double t_2) const {
   const double leaves = leaves_at(reach(), h);
-  const auto rate = [&](double t) { return part_over_square(std::sqrt(h * h + t * t)); };
   const double first = std::clamp(t_1, -leaves, leaves);
   const double last = std::clamp(t_2, -leaves, leaves);
-  double part = h * gauss_legendre<10>(rate, first, last, smooth_length());
-  if (h != 0) part += angle_between(h, t_1, first) + angle_between(h, last, t_2);
+  const auto along = [&](double t, double& square) {
+    square = h * h + t * t;
+    return 1.0;
+  };
+  double part = h * integral_of_parts(*this, first, last, 1, along);
+  if (h != 0 && t_1 != first) part += angle_between(h, t_1, first);
+  if (h != 0 && t_2 != last) part += angle_between(h, last, t_2);
   return part / (2 * pi);
 }
 
@@ -95,6 +95,18 @@ double PolynomialKernel::part_over_square(double q) const {
   double sum = 0;
   for (Eigen::Index k = part_.size(); k-- > 0;) sum = sum * q + part_[k];
   return sum;
+}
+
+Kernel::Pieces PolynomialKernel::pieces() const {
+  return {0.08, 0.25, 0.25};
+}
+
+void PolynomialKernel::parts_over_squares(std::span<double> squares) const {
+  for (double& square : squares) {
+    const double q = std::sqrt(square);
+    square = part_[0] + square * (part_[2] + square * part_[4]) +
+             q * (part_[1] + square * (part_[3] + square * part_[5]));
+  }
 }
 
 // Sum of e_k I_k, I_k = integral of (h^2 + t^2)^(k/2) dt = (t q^k + k h^2 I_(k-2))/(k + 1).
@@ -122,29 +134,6 @@ PolynomialKernel::Coefficients lucy() {
 
 PolynomialKernel::Coefficients wendland() {
   return 7 / pi * PolynomialKernel::Coefficients{1, 0, -10, 20, -15, 4};
-}
-
-double arc_part(const Kernel& kernel, double d, double R, double begin, double end) {
-  constexpr double turn = 2 * pi;
-  const double shift = turn * std::floor((begin + pi) / turn);
-  // Mirrored at the direction of the centre, and at the opposite one, which may lie in between.
-  const double first = std::max(begin - shift, -pi);
-  const double last = end - shift;
-  double part = 0;
-  if (first < 0) part += half_arc_part(kernel, d, R, std::max(-last, 0.0), -first);
-  if (last > 0 && first < pi) part += half_arc_part(kernel, d, R, std::max(first, 0.0), std::min(last, pi));
-  if (last > pi) {
-    const double beyond = std::min(turn - last, pi);
-    part += half_arc_part(kernel, d, R, std::max(beyond, 0.0), pi);
-    if (beyond < 0) part += half_arc_part(kernel, d, R, 0, -beyond);
-  }
-  return part;
-}
-
-double circle_part(const Kernel& kernel, double d, double R) {
-  if (R <= 0 || d - R >= kernel.reach()) return 0;
-  if (R - d >= kernel.reach()) return 1;
-  return 2 * half_arc_part(kernel, d, R, 0, pi);
 }
 
 }  // namespace mikromakro

@@ -85,7 +85,7 @@ class FramesUnderWay {
     if (make)
       attempt(outcome, [&] {
         make(frame);
-        outcome.sums = {frame.index, frame.step, sum_(frame)};
+        outcome.sums = {frame.index, frame.step, frame.run, sum_(frame)};
       });
     lock.lock();
     over_ = over_ || outcome.error;

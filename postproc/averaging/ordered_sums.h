@@ -13,6 +13,7 @@ namespace mikromakro {
 struct FrameSums {
   std::int64_t index = 0;  ///< of the frame, see Frame
   std::int64_t step = 0;
+  std::int64_t run = 0;  ///< of the frame, see Frame
   Rows sums;
 };
 

@@ -114,17 +114,17 @@ class Rounds {
 
   void send() const {
     for (const FrameSums& sums : waiting_) {
-      const std::int64_t frame[2] = {sums.index, sums.step};
-      MPI_Send(frame, 2, MPI_INT64_T, 0, 0, MPI_COMM_WORLD);
+      const std::int64_t frame[3] = {sums.index, sums.step, sums.run};
+      MPI_Send(frame, 3, MPI_INT64_T, 0, 0, MPI_COMM_WORLD);
       MPI_Send(sums.sums.data(), static_cast<int>(sums.sums.size()), MPI_DOUBLE, 0, 0, MPI_COMM_WORLD);
     }
   }
 
   void receive(const Header& header, int from) {
     for (std::int64_t i = 0; i < header.frames; ++i) {
-      std::int64_t frame[2] = {};
-      MPI_Recv(frame, 2, MPI_INT64_T, from, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-      FrameSums sums{frame[0], frame[1], Rows(header.rows, header.columns)};
+      std::int64_t frame[3] = {};
+      MPI_Recv(frame, 3, MPI_INT64_T, from, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+      FrameSums sums{frame[0], frame[1], frame[2], Rows(header.rows, header.columns)};
       MPI_Recv(sums.sums.data(), static_cast<int>(sums.sums.size()), MPI_DOUBLE, from, 0, MPI_COMM_WORLD,
                MPI_STATUS_IGNORE);
       collected_.push_back(std::move(sums));

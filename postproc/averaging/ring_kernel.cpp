@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "averaging/circle_sweep.h"
 #include "io/error.h"
 
 namespace mikromakro {
@@ -21,7 +22,7 @@ PiecewisePolynomial circle_table(const Kernel& kernel, double R) {
   std::sort(breaks.begin(), breaks.end());
   if (R == 0) breaks = {0, reach};
   const double width = kernel.width();
-  return {[&](double d) { return circle_part(kernel, d / width, R / width); }, breaks,
+  return {[&](double d) { return CircleSweep(kernel, d / width, R / width).whole(); }, breaks,
           piece_of_smooth_length * kernel.smooth_length() * width};
 }
 

@@ -3,24 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "averaging/circle_sweep.h"
 #include "averaging/sector_volumes.h"
 
 namespace mikromakro {
 namespace {
 
-// The kernel as the sides of sectors see it: lengths by its width, angles from the direction of its centre.
-struct Seen {
-  const Kernel& kernel;
-  double distance;
+// A straight side as the kernel sees it, in its widths: the distance at which the line passes with the centre
+// on its left, and how far from the rings' centre the point nearest to the kernel's centre is.
+struct Line {
+  double h;
+  double foot;
 
-  double along_arc(double R, double begin, double end) const {
-    return arc_part(kernel, distance, R, begin, end);
-  }
-  // Outward along the straight side at an angle; the centre is on its left where the angle is negative.
-  double along_side(double angle, double inner, double outer) const {
+  Line(double distance, double angle) {
     const double half = std::sin(0.5 * angle);
-    const double foot = distance * (1 - 2 * half * half);
-    return kernel.line_part(-distance * std::sin(angle), inner - foot, outer - foot);
+    h = -distance * std::sin(angle);
+    foot = distance * (1 - 2 * half * half);
+  }
+  double part(const Kernel& kernel, double inner, double outer) const {
+    return kernel.line_part(h, inner - foot, outer - foot);
   }
 };
 
@@ -32,34 +33,35 @@ void SectorKernel::add(const Eigen::Vector2d& point, double factor, ShareSums& s
   const Eigen::Vector2d arm = point - rings.centre();
   const double width = kernel_->width();
   const double reach = kernel_->reach() * width;
-  const Seen seen{*kernel_, arm.norm() / width};
+  const double distance = arm.norm();
   const double direction = std::atan2(arm[1], arm[0]);
-  const auto [first, last] = volumes_.sectors_near(direction, arm.norm(), reach);
+  const auto [first, last] = volumes_.sectors_near(direction, distance, reach);
+  const auto count = static_cast<std::size_t>(last - first);
+  // Angles from the direction of the kernel's centre, and the sides that begin there.
+  std::vector<double> angles;
+  std::vector<Line> lines;
+  for (int i = first; i <= last; ++i) {
+    angles.push_back(volumes_.angle(i) - direction);
+    // A whole turn comes back to the same side.
+    lines.emplace_back(i - first == sectors ? lines.front() : Line(distance / width, angles.back()));
+  }
   const std::vector<double>& edges = rings.edges();
-  auto edge = std::upper_bound(edges.begin() + 1, edges.end(), arm.norm() - reach) - 1;
-  const auto arcs_at = [&, first = first, last = last](double R, std::vector<double>& arcs) {
-    arcs.clear();
-    for (int i = first; i < last; ++i)
-      arcs.push_back(
-          seen.along_arc(R / width, volumes_.angle(i) - direction, volumes_.angle(i + 1) - direction));
+  auto edge = std::upper_bound(edges.begin() + 1, edges.end(), distance - reach) - 1;
+  const auto arcs_at = [&](double R, std::vector<double>& arcs) {
+    const CircleSweep circle(*kernel_, distance / width, R / width);
+    for (std::size_t i = 0; i < count; ++i) arcs[i] = circle.arc(angles[i], angles[i + 1]);
   };
-  std::vector<double> inner;
-  std::vector<double> outer;
+  std::vector<double> inner(count);
+  std::vector<double> outer(count);
   if (edge + 1 != edges.end()) arcs_at(*edge, inner);
-  for (; edge + 1 != edges.end() && *edge < arm.norm() + reach; ++edge) {
+  for (; edge + 1 != edges.end() && *edge < distance + reach; ++edge) {
     arcs_at(edge[1], outer);
-    const auto side = [&](int sector) {
-      return seen.along_side(volumes_.angle(sector) - direction, edge[0] / width, edge[1] / width);
-    };
-    const double begin = side(first);
-    double right = begin;
-    for (int i = first; i < last; ++i) {
-      // A whole turn comes back to the same side.
-      const double left = i + 1 - first == sectors ? begin : side(i + 1);
-      const auto arc = static_cast<std::size_t>(i - first);
-      const double share = outer[arc] - inner[arc] + right - left;
-      const int sector = (i % sectors + sectors) % sectors;
-      const int ring = static_cast<int>(edge - edges.begin());
+    const int ring = static_cast<int>(edge - edges.begin());
+    double right = lines[0].part(*kernel_, edge[0] / width, edge[1] / width);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double left = lines[i + 1].part(*kernel_, edge[0] / width, edge[1] / width);
+      const double share = outer[i] - inner[i] + right - left;
+      const int sector = ((first + static_cast<int>(i)) % sectors + sectors) % sectors;
       if (share > smallest_share) shares.add(ring * sectors + sector, factor * share);
       right = left;
     }

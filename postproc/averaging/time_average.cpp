@@ -1,5 +1,7 @@
 #include "averaging/time_average.h"
 
+#include <utility>
+
 namespace mikromakro {
 namespace {
 
@@ -13,34 +15,52 @@ void add_to(Rows& total, const Rows& sums, bool first) {
 
 }  // namespace
 
-void TimeAverage::add(const Rows& frame_sums) {
+void TimeAverage::add(const Rows& frame_sums, std::int64_t run) {
   add_to(total_, frame_sums, frames_ == 0);
   ++frames_;
   if (most_blocks_ == 0) return;
+  if (run != run_) open_frames_ = 0;
+  run_ = run;
   add_to(open_block_, frame_sums, open_frames_ == 0);
-  if (++open_frames_ < block_length_) return;
+  if (++open_frames_ == block_length_) close_block();
+}
+
+void TimeAverage::close_block() {
   blocks_.push_back(open_block_ / static_cast<double>(block_length_));
+  runs_.push_back(run_);
   open_frames_ = 0;
   // Not before one more is there, so that `most_blocks` frames are as many blocks.
-  if (blocks_.size() > most_blocks_) merge_pairs();
+  if (blocks_.size() > most_blocks_ && 4 * pairs() >= most_blocks_) merge_pairs();
+}
+
+// Blocks that there would be after merge_pairs.
+std::size_t TimeAverage::pairs() const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 1 < blocks_.size(); ++i) {
+    if (runs_[i] != runs_[i + 1]) continue;
+    ++count;
+    ++i;
+  }
+  return count;
 }
 
 void TimeAverage::merge_pairs() {
-  // The odd block at the end is the first half of a longer one.
-  open_block_ = blocks_.back() * static_cast<double>(block_length_);
-  open_frames_ = block_length_;
-  blocks_ = merge_blocks(blocks_, 2);
-  block_length_ *= 2;
-}
-
-std::vector<Rows> merge_blocks(const std::vector<Rows>& blocks, std::size_t group) {
   std::vector<Rows> merged;
-  for (std::size_t first = 0; first + group <= blocks.size(); first += group) {
-    Rows sum = blocks[first];
-    for (std::size_t i = first + 1; i < first + group; ++i) sum += blocks[i];
-    merged.push_back(sum / static_cast<double>(group));
+  std::vector<std::int64_t> runs;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (i + 1 < blocks_.size() && runs_[i] == runs_[i + 1]) {
+      merged.push_back((blocks_[i] + blocks_[i + 1]) / 2.0);
+      runs.push_back(runs_[i]);
+      ++i;
+    } else if (i + 1 == blocks_.size()) {
+      // The odd block at the end is the first half of a longer one.
+      open_block_ = blocks_[i] * static_cast<double>(block_length_);
+      open_frames_ = block_length_;
+    }
   }
-  return merged;
+  blocks_ = std::move(merged);
+  runs_ = std::move(runs);
+  block_length_ *= 2;
 }
 
 }  // namespace mikromakro

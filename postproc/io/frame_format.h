@@ -50,6 +50,8 @@ class FrameFormat {
   virtual bool next(std::int64_t& step) = 0;
   /// Takes the bytes of the frame that `next` has found; may be left out to skip it.
   virtual UnpackFrame take() = 0;
+  /// The run of that frame, from 0.
+  virtual std::int64_t run() const { return 0; }
   /// For the progress bar.
   virtual std::int64_t bytes_read() const = 0;
 };

@@ -33,20 +33,16 @@ void set_masses(RawFrame& raw, double density) {
 }
 
 std::unique_ptr<FrameFormat> open_run(const Run& run, const ColumnWishes& wishes) {
+  if (!run.snapshot_files.empty()) return std::make_unique<SnapshotReader>(run.snapshot_files, wishes);
   if (MercuryDataReader::recognises(run.particle_files.front()))
     return std::make_unique<MercuryFrames>(run.particle_files, run.contact_files, wishes);
   return std::make_unique<TextFrames>(run.particle_files, run.contact_files, wishes);
 }
 
 std::unique_ptr<FrameFormat> format_of(const FrameSource& source) {
-  if (!source.snapshot_files.empty())
-    return std::make_unique<SnapshotReader>(source.snapshot_files, source.wishes());
   std::vector<RunSequence::Open> runs;
-  const auto add = [&](const Run& run) {
+  for (const Run& run : source.runs())
     runs.emplace_back([run, wishes = source.wishes()] { return open_run(run, wishes); });
-  };
-  add({source.particle_files, source.contact_files});
-  for (const Run& run : source.further_runs) add(run);
   return std::make_unique<RunSequence>(std::move(runs));
 }
 
@@ -68,17 +64,17 @@ ColumnWishes FrameSource::wishes() const {
   return {particle_columns, contact_columns, particles_needed & ~mass, contacts_needed};
 }
 
+std::vector<Run> FrameSource::runs() const {
+  std::vector<Run> all = {{particle_files, contact_files, snapshot_files}};
+  all.insert(all.end(), further_runs.begin(), further_runs.end());
+  return all;
+}
+
 std::vector<std::string> FrameSource::files() const {
-  std::vector<std::string> all = snapshot_files;
-  const auto add = [&](const std::vector<std::string>& files) {
-    all.insert(all.end(), files.begin(), files.end());
-  };
-  add(particle_files);
-  add(contact_files);
-  for (const Run& run : further_runs) {
-    add(run.particle_files);
-    add(run.contact_files);
-  }
+  std::vector<std::string> all;
+  for (const Run& run : runs())
+    for (const auto* files : {&run.snapshot_files, &run.particle_files, &run.contact_files})
+      all.insert(all.end(), files->begin(), files->end());
   return all;
 }
 
@@ -106,19 +102,22 @@ bool FrameStream::next(Frame& frame) {
   set_masses(raw_, density_);
   join(raw_, frame);
   frame.index = index_;
+  frame.run = format_->run();
   return true;
 }
 
 MakeFrame FrameStream::take() {
   UnpackFrame unpack = take_raw();
   if (!unpack) return {};
-  return [unpack = std::move(unpack), density = density_, index = index_](Frame& frame) {
-    RawFrame raw;
-    unpack(raw);
-    set_masses(raw, density);
-    join(raw, frame);
-    frame.index = index;
-  };
+  return
+      [unpack = std::move(unpack), density = density_, index = index_, run = format_->run()](Frame& frame) {
+        RawFrame raw;
+        unpack(raw);
+        set_masses(raw, density);
+        join(raw, frame);
+        frame.index = index;
+        frame.run = run;
+      };
 }
 
 }  // namespace mikromakro

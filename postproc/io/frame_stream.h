@@ -13,10 +13,11 @@
 
 namespace mikromakro {
 
-/// The files of one run.
+/// The files of one run: HDF5 snapshots, or others.
 struct Run {
-  std::vector<std::string> particle_files;
-  std::vector<std::string> contact_files;
+  std::vector<std::string> particle_files = {};
+  std::vector<std::string> contact_files = {};
+  std::vector<std::string> snapshot_files = {};
 };
 
 /// What to read, and how: HDF5 snapshots, text dumps, or MercuryDPM's files, which are known by their
@@ -30,10 +31,11 @@ struct FrameSource {
   ColumnSet contacts_needed = 0;
   FrameSelection selection;
   std::vector<std::string> snapshot_files = {};  ///< none: text dumps
-  std::vector<Run> further_runs = {};            ///< beside the files above, read after them
+  std::vector<Run> further_runs = {};            ///< read after the files above, which are the first run
   double density = 0;                            ///< areal (kg/m^2), > 0: for files that give no masses
 
   ColumnWishes wishes() const;
+  std::vector<Run> runs() const;
   /// All files there are.
   std::vector<std::string> files() const;
 };

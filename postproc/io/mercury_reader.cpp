@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "io/row_parser.h"
 
 namespace mikromakro {
@@ -21,19 +19,35 @@ bool begins_with_digit(std::string_view word) {
   return !word.empty() && word[0] >= '0' && word[0] <= '9';
 }
 
-// An empty line may end a file.
-bool next_full_line(LineReader& lines, std::string_view& line) {
-  while (lines.next(line))
-    if (!line.empty()) return true;
-  return false;
-}
-
 void check_box(const Box& box, const Place& place, std::string_view line) {
   if ((box.low.array() > box.high.array()).any())
     throw bad_input(place, "box bounds are not in order", "low <= high", in_quotes(line));
 }
 
 }  // namespace
+
+bool MercuryReader::next_frame(std::string_view& line, std::string_view kind) {
+  std::string skipped;
+  if (rows_ > 0) cut_rows(skipped);
+  while (lines_.next(line))
+    if (!line.empty()) return true;
+  if (lines_.line() == 0) throw bad_input({file()}, "the file is empty", kind, "no line");
+  return false;
+}
+
+MercuryBlock MercuryReader::take_rows(const MercuryHeader& header) {
+  MercuryBlock block{file(), header, {}};
+  cut_rows(block.text);
+  return block;
+}
+
+void MercuryReader::cut_rows(std::string& text) {
+  const std::int64_t got = lines_.take(rows_, comment, text);
+  if (got < rows_ && rows_ != to_the_next_header)
+    throw bad_input(lines_.place(), "the file ends within a frame", fmt::format("{} rows", rows_),
+                    fmt::format("{}", got));
+  rows_ = 0;
+}
 
 bool MercuryDataReader::recognises(const std::string& file) {
   const std::string line = first_line(file);
@@ -42,15 +56,8 @@ bool MercuryDataReader::recognises(const std::string& file) {
 }
 
 bool MercuryDataReader::next_header(MercuryHeader& header) {
-  if (rows_ > 0) {
-    std::string skipped;
-    cut_rows(skipped);
-  }
   std::string_view line;
-  if (!next_full_line(lines_, line)) {
-    if (lines_.line() == 0) throw bad_input({file()}, "the file is empty", "a .data file", "no line");
-    return false;
-  }
+  if (!next_frame(line, "a .data file")) return false;
   const Place place = lines_.place();
   const auto found = words(line);
   if (found.size() != 6 && found.size() != 8)
@@ -72,20 +79,6 @@ bool MercuryDataReader::next_header(MercuryHeader& header) {
   return true;
 }
 
-MercuryBlock MercuryDataReader::take_rows(const MercuryHeader& header) {
-  MercuryBlock block{file(), header, {}};
-  cut_rows(block.text);
-  return block;
-}
-
-void MercuryDataReader::cut_rows(std::string& text) {
-  const std::int64_t got = lines_.take(rows_, comment, text);
-  if (got < rows_)
-    throw bad_input(lines_.place(), "the file ends within a frame", fmt::format("{} rows", rows_),
-                    fmt::format("{}", got));
-  rows_ = 0;
-}
-
 bool MercuryFstatReader::recognises(const std::string& file) {
   const std::string line = first_line(file);
   std::string_view rest = line;
@@ -93,15 +86,8 @@ bool MercuryFstatReader::recognises(const std::string& file) {
 }
 
 bool MercuryFstatReader::next_header(MercuryHeader& header) {
-  if (rows_ahead_) {
-    std::string skipped;
-    cut_rows(skipped);
-  }
   std::string_view line;
-  if (!next_full_line(lines_, line)) {
-    if (lines_.line() == 0) throw bad_input({file()}, "the file is empty", "an .fstat file", "no line");
-    return false;
-  }
+  if (!next_frame(line, "an .fstat file")) return false;
   const auto found = words(line);
   if (found.size() < 2 || found[0] != comment)
     throw bad_input(lines_.place(), "not the header of an .fstat frame", "# time", in_quotes(line));
@@ -115,19 +101,8 @@ bool MercuryFstatReader::next_header(MercuryHeader& header) {
       throw bad_input(lines_.place(), "not the header of an .fstat frame", expected, in_quotes(line));
   }
   header.line = lines_.line();
-  rows_ahead_ = true;
+  rows_ = to_the_next_header;
   return true;
-}
-
-MercuryBlock MercuryFstatReader::take_rows(const MercuryHeader& header) {
-  MercuryBlock block{file(), header, {}};
-  cut_rows(block.text);
-  return block;
-}
-
-void MercuryFstatReader::cut_rows(std::string& text) {
-  lines_.take(std::numeric_limits<std::int64_t>::max(), comment, text);
-  rows_ahead_ = false;
 }
 
 }  // namespace mikromakro

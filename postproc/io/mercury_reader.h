@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -33,51 +34,49 @@ struct MercuryBlock {
   std::string text;
 };
 
-/// Throws whatever is no .data file: a header of another length, fewer rows than it says.
-class MercuryDataReader {
+/// What both kinds of files have in common: frames, headers of which the kinds read, and rows below them.
+class MercuryReader {
  public:
   using Header = MercuryHeader;
   static constexpr std::string_view not_ascending = "times do not ascend";
 
-  explicit MercuryDataReader(const std::string& file) : lines_(file) {}
-  /// Whether a file begins as .data files do, with a number.
-  static bool recognises(const std::string& file);
-
-  bool next_header(MercuryHeader& header);
   MercuryBlock take_rows(const MercuryHeader& header);
 
   const std::string& file() const { return lines_.file(); }
   std::int64_t bytes_read() const { return lines_.bytes_read(); }
 
- private:
-  void cut_rows(std::string& text);
+ protected:
+  static constexpr std::int64_t to_the_next_header = std::numeric_limits<std::int64_t>::max();
+
+  explicit MercuryReader(const std::string& file) : lines_(file) {}
+  /// The first line of the next header; rows that nobody has taken are skipped, and empty lines, which may
+  /// end a file. False at the end. Throws where the file, which should be `kind`, is empty.
+  bool next_frame(std::string_view& line, std::string_view kind);
 
   LineReader lines_;
-  std::int64_t rows_ = 0;  // of the last header, until they are cut out
+  std::int64_t rows_ = 0;  ///< of the last header, until they are cut out
+
+ private:
+  void cut_rows(std::string& text);
+};
+
+/// Throws whatever is no .data file: a header of another length, fewer rows than it says.
+class MercuryDataReader : public MercuryReader {
+ public:
+  explicit MercuryDataReader(const std::string& file) : MercuryReader(file) {}
+  /// Whether a file begins as .data files do, with a number.
+  static bool recognises(const std::string& file);
+  bool next_header(MercuryHeader& header);
 };
 
 /// Throws whatever is no .fstat file. It does not say how many rows a frame has: a file that was cut between
 /// two lines of its last frame looks complete.
-class MercuryFstatReader {
+class MercuryFstatReader : public MercuryReader {
  public:
-  using Header = MercuryHeader;
-  static constexpr std::string_view not_ascending = "times do not ascend";
-
-  explicit MercuryFstatReader(const std::string& file) : lines_(file) {}
+  explicit MercuryFstatReader(const std::string& file) : MercuryReader(file) {}
   /// Whether a file begins as .fstat files do, with # and the time.
   static bool recognises(const std::string& file);
-
   bool next_header(MercuryHeader& header);
-  MercuryBlock take_rows(const MercuryHeader& header);
-
-  const std::string& file() const { return lines_.file(); }
-  std::int64_t bytes_read() const { return lines_.bytes_read(); }
-
- private:
-  void cut_rows(std::string& text);
-
-  LineReader lines_;
-  bool rows_ahead_ = false;
 };
 
 }  // namespace mikromakro

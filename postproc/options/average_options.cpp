@@ -26,10 +26,10 @@ void add_average_options(CLI::App& app, AverageOptions& options) {
   app.add_option("--error-blocks", options.error_blocks,
                  "blocks of frames that are kept for standard errors, default 64; 0 for no errors")
       ->check(CLI::Range(0, 100000));
-  app.add_option(
-         "--out", options.out,
-         "FILE.csv, .h5 or .vtkhdf (ParaView), or - for CSV on standard output (default); may be given "
-         "more than once")
+  app.add_option("--out", options.out,
+                 "FILE.csv, .h5, .vtkhdf or .hdf (both ParaView), or - for CSV on standard output (default); "
+                 "may be given "
+                 "more than once")
       ->allow_extra_args(false);
 }
 
@@ -37,10 +37,10 @@ std::unique_ptr<const Averager> make_averager(const AverageOptions& options) {
   return make_averager(options.volumes, fields_of(options.fields, options.volumes));
 }
 
-void Averaged::add(std::int64_t step, const Rows& frame_sums) {
+void Averaged::add(std::int64_t step, const Rows& frame_sums, std::int64_t run) {
   if (sums.frames() == 0) range.first_step = step;
   range.last_step = step;
-  sums.add(frame_sums);
+  sums.add(frame_sums, run);
 }
 
 void describe_frames(const Averaged& averaged, Preamble& lines) {

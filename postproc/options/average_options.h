@@ -36,7 +36,7 @@ struct Averaged {
   TimeAverage sums;
   FrameRange range;
 
-  void add(std::int64_t step, const Rows& frame_sums);
+  void add(std::int64_t step, const Rows& frame_sums, std::int64_t run = 0);
 };
 
 /// Line above a table: which frames.

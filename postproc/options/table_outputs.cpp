@@ -13,7 +13,7 @@
 namespace mikromakro {
 namespace {
 
-constexpr std::array<std::string_view, 3> endings = {".csv", ".h5", ".vtkhdf"};
+constexpr std::array<std::string_view, 4> endings = {".csv", ".h5", ".vtkhdf", ".hdf"};
 
 }  // namespace
 
@@ -22,8 +22,8 @@ TableOutputs::TableOutputs(const std::vector<std::string>& names) : to_stdout_(n
     const bool known =
         std::any_of(endings.begin(), endings.end(), [&](auto ending) { return name.ends_with(ending); });
     if (name != "-" && !known)
-      throw bad_input({"--out"}, "unknown kind of output file", "a name ending in .csv, .h5 or .vtkhdf, or -",
-                      in_quotes(name));
+      throw bad_input({"--out"}, "unknown kind of output file",
+                      "a name ending in .csv, .h5, .vtkhdf or .hdf, or -", in_quotes(name));
   }
   for (const std::string& name : names) {
     if (name == "-") {
@@ -42,7 +42,7 @@ void TableOutputs::commit(const Preamble& preamble, const Table& table, const Ei
       continue;
     }
     if (name.ends_with(".h5")) write_table_hdf5(file->temporary(), preamble, table);
-    if (name.ends_with(".vtkhdf")) write_vtkhdf(file->temporary(), table, volume_outlines(table, center));
+    if (name.ends_with("hdf")) write_vtkhdf(file->temporary(), table, volume_outlines(table, center));
     file->publish();
   }
   if (to_stdout_) fmt::print("{}", text);

@@ -99,11 +99,12 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
       "for kernels)");
 }
 
-void add_weight_option(CLI::App& app, VolumeOptions& options) {
-  app.add_option(
-      "--weight", options.weight,
-      "sliced (area of the disc in the volume, default), centre, or a kernel of width W in m: gauss:W "
-      "(standard deviation), lucy:W, wendland:W, tophat:W (radius of the support)");
+void add_weight_option(CLI::App& app, VolumeOptions& options, const std::string& choice) {
+  app.add_option("--weight", options.weight,
+                 choice.empty()
+                     ? "sliced (area of the disc in the volume, default), centre, or a kernel of width W in "
+                       "m: gauss:W (standard deviation), lucy:W, wendland:W, tophat:W (radius of the support)"
+                     : choice);
 }
 
 int resolution_of(const VolumeOptions& options) {

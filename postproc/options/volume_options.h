@@ -20,8 +20,8 @@ struct VolumeOptions {
 };
 
 void add_volume_options(CLI::App& app, VolumeOptions& options);
-/// Beside them, where one weight is chosen.
-void add_weight_option(CLI::App& app, VolumeOptions& options);
+/// Beside them, where one weight is chosen; `choice` is the help.
+void add_weight_option(CLI::App& app, VolumeOptions& options, const std::string& choice = {});
 
 /// Number of rings, or of columns of a grid.
 int resolution_of(const VolumeOptions& options);

@@ -12,7 +12,7 @@ program = sys.argv[1]
 dumps = ["--particles", "particles.dump", "--contacts", "contacts.dump"]
 
 with tempfile.TemporaryDirectory() as folder:
-    names = [f"{folder}/a{ending}" for ending in (".csv", ".h5", ".vtkhdf")]
+    names = [f"{folder}/a{ending}" for ending in (".csv", ".h5", ".vtkhdf", ".hdf")]
     outs = [word for name in names for word in ("--out", name)]
     subprocess.run([program, "average", *dumps, "--rings", "0", "4", "2", "--bulk-types", "1", *outs], check=True)
     csv = pandas.read_csv(names[0], comment="#", float_precision="round_trip")
@@ -39,6 +39,10 @@ with tempfile.TemporaryDirectory() as folder:
         radii = numpy.hypot(*grid["Points"][:, :2].T)
         assert set(numpy.round(radii, 12)) == {0, 2, 4}
         assert numpy.array_equal(grid["CellData/sigma_rr"][::180], csv["sigma_rr"], equal_nan=True)
+
+    # The ending by which ParaView 5.11 knows the files.
+    with h5py.File(names[3]) as file:
+        assert numpy.array_equal(file["VTKHDF/CellData/sigma_rr"][::180], csv["sigma_rr"], equal_nan=True)
 
     # Sectors and rectangles: each volume's polygons fill just its area, and nothing else.
     def cells(volumes):

@@ -83,6 +83,43 @@ TEST(SeveralRuns, FollowEachOtherThoughTheirStepsBeginAnew) {
   expect_same(run_program("average " + dumps + dumps + rings + " --frames 1:2").out, one.out, 1e-15);
 }
 
+// As for dumps, and the same numbers; files of one run must still ascend.
+TEST(SeveralRuns, MayBeHdf5Files) {
+  const Folder folder;
+  const std::string file = std::string("'").append(folder.path("run.h5")).append("' ");
+  ASSERT_EQ(run_program("convert " + dumps + "--out " + file).code, 0);
+  const std::string of_dumps = run_program("average " + dumps + dumps + rings).out;
+  const Ran two = run_program("average --snapshots " + file + "--snapshots " + file + rings);
+  EXPECT_EQ(two.code, 0) << two.err;
+  EXPECT_NE(two.out.find("# runs: 2, one after the other\n"), std::string::npos);
+  EXPECT_EQ(numbers(two.out), numbers(of_dumps));
+  EXPECT_EQ(numbers(run_program("average " + file + "--snapshots " + file + rings).out), numbers(of_dumps));
+  EXPECT_EQ(
+      run_on_ranks(2, "average --snapshots " + file + "--snapshots " + file + rings + " --threads 1").out,
+      two.out);
+  const std::string last = std::string("'").append(folder.path("last.h5")).append("' ");
+  ASSERT_EQ(run_program("convert " + dumps + "--frames 1:1 --out " + last).code, 0);
+  const Ran other = run_program("average --snapshots " + file + "--snapshots " + last + rings);
+  EXPECT_NE(other.out.find("# frames: 3, steps 100 to 200\n"), std::string::npos);
+  const Ran one = run_program("average " + file + file + rings);
+  EXPECT_EQ(one.code, 2);
+  EXPECT_NE(one.err.find("time steps do not ascend"), std::string::npos);
+}
+
+// 17 runs of two frames each: 34 blocks of one frame; where 16 are wanted 17 of two, since no more runs can
+// be put together.
+TEST(SeveralRuns, AreNotMixedInTheBlocksOfErrors) {
+  std::string runs;
+  for (int run = 0; run < 17; ++run) runs += dumps;
+  const std::string arguments = "average " + runs + rings + " --threads 1 --error-blocks ";
+  EXPECT_NE(run_program(arguments + "64").out.find("# errors: standard errors from 34 blocks of 1 frames"),
+            std::string::npos);
+  // nan, since the mean of every run is the same.
+  const std::string few = run_program(arguments + "16").out;
+  EXPECT_NE(few.find("# errors: nan: 17 blocks of 2 frames"), std::string::npos) << few;
+  EXPECT_EQ(run_on_ranks(2, arguments + "16").out, few);
+}
+
 TEST(SeveralRuns, AreTheSameOnRanks) {
   const std::string arguments = "average " + dumps + dumps + dumps + rings + " --threads 1";
   const Ran alone = run_program(arguments);

@@ -59,6 +59,42 @@ TEST(TimeAverage, BlocksDoNotGrowWithTheNumberOfFrames) {
   EXPECT_EQ(average.blocks()[38](0, 0), 256 * 38 + 127.5);
 }
 
+// Means of blocks of a series with the run of each of its values.
+std::vector<double> blocks_of(const std::vector<std::pair<double, int>>& series, TimeAverage& average) {
+  for (const auto& [value, run] : series) average.add(row({value}), run);
+  std::vector<double> means;
+  for (const Rows& block : average.blocks()) means.push_back(block(0, 0));
+  return means;
+}
+
+// The fifth value makes blocks of two: 0 1 and 10 11; 2 is left over in the first run, 15 in the second, 20
+// in the third.
+TEST(TimeAverage, BlocksBelongToOneRun) {
+  TimeAverage average(4);
+  const auto blocks = blocks_of(
+      {{0, 0}, {1, 0}, {2, 0}, {10, 1}, {11, 1}, {13, 1}, {14, 1}, {15, 1}, {20, 2}, {30, 3}, {31, 3}},
+      average);
+  EXPECT_EQ(average.block_length(), 2);
+  EXPECT_EQ(blocks, (std::vector<double>{0.5, 10.5, 13.5, 30.5}));
+  EXPECT_EQ(average.runs(), (std::vector<std::int64_t>{0, 1, 1, 3}));
+  EXPECT_EQ(average.frames(), 11);
+  expect_measured(average.mean()(0, 0), 147.0 / 11, rounding);
+}
+
+// Of the odd block at the end the first half of a longer one is made only where the run goes on.
+TEST(TimeAverage, AnOpenBlockEndsWithItsRun) {
+  TimeAverage average(2);
+  EXPECT_EQ(blocks_of({{0, 0}, {1, 0}, {2, 0}, {3, 1}, {4, 1}, {6, 1}}, average),
+            (std::vector<double>{0.5, 3.5}));
+}
+
+TEST(TimeAverage, ManyRunsOfOneFrameAreAsManyBlocks) {
+  TimeAverage average(64);
+  for (int run = 0; run < 200; ++run) average.add(row({1.0 * run}), run);
+  EXPECT_EQ(average.block_length(), 1);
+  EXPECT_EQ(average.blocks().size(), 200U);
+}
+
 // 32 values 1 and -1 by turns: their correlation is negative and does not count, standard error of the mean
 // of 32 values sqrt(32/31/32).
 TEST(BlockErrors, JackknifeOfAMeanIsItsStandardError) {
@@ -126,6 +162,22 @@ TEST_P(CorrelatedSeries, ErrorsCoverTheTruthIn68PercentOfTheTrials) {
   RecordProperty("unknown", fmt::format("{:.3f}", result.unknown));
   EXPECT_NEAR(result.covered, 0.683, 0.05);
   EXPECT_LT(result.unknown, 0.1);
+}
+
+// 40 runs that each keep their value for 8 frames (2 tau = 8): errors of runs whose order is by chance, and
+// of ascending ones, which would look like one long drift if the runs went on in each other.
+TEST(BlockErrors, RunsDoNotCorrelateWithEachOther) {
+  TimeAverage by_turns(64);
+  TimeAverage ascending(64);
+  for (int run = 0; run < 40; ++run) {
+    for (int frame = 0; frame < 8; ++frame) {
+      by_turns.add(row({1.0 * (run * 17 % 40)}), run);
+      ascending.add(row({1.0 * run}), run);
+    }
+  }
+  const BlockErrors errors = block_errors(ascending, same);
+  EXPECT_TRUE(errors.any());
+  expect_measured(errors.error(0, 0), block_errors(by_turns, same).error(0, 0), rounding);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, CorrelatedSeries,

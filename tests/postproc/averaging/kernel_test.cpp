@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "averaging/circle_sweep.h"
 #include "averaging/gauss_legendre.h"
 #include "averaging/kernel_references.h"
 #include "averaging/piecewise_polynomial.h"
@@ -38,6 +39,12 @@ TEST(Kernels, PartWithinADistanceIsTheIntegralOfTheDensity) {
     const auto ring = [&](double q) { return 2 * std::numbers::pi * q * density_reference(kernel.name, q); };
     for (double q = 0.1; q < made->reach(); q += 0.1)
       expect_measured(made->part_over_square(q) * q * q, quick_integral(ring, 0, q), 1e-13, kernel.name);
+    std::vector<double> squares;
+    for (double q = 0; q < made->reach(); q += 0.01) squares.push_back(q * q);
+    std::vector<double> parts = squares;
+    made->parts_over_squares(parts);
+    for (std::size_t i = 0; i < squares.size(); ++i)
+      expect_measured(parts[i], made->part_over_square(std::sqrt(squares[i])), 1e-12, kernel.name);
     const double at_centre = std::numbers::pi * made->density(0);
     expect_measured(made->part_over_square(0), at_centre, 1e-14);
     expect_measured(made->part_over_square(1e-9), at_centre, 1e-14);
@@ -55,12 +62,12 @@ TEST(CirclePart, OfKernelsAnywhere) {
       const double R = made->reach() * std::pow(10.0, 2 * uniform(random) - 1);
       const double d = std::fmax(0, R + (2 * uniform(random) - 1) * made->reach());
       const double reference = sector_part(kernel.name, {d, 0, R, -pi, pi});
-      expect_measured(circle_part(*made, d, R), reference, 3e-11, kernel.name);
+      expect_measured(CircleSweep(*made, d, R).whole(), reference, 3e-11, kernel.name);
     }
-    EXPECT_EQ(circle_part(*made, 3 + made->reach(), 3), 0);
-    EXPECT_EQ(circle_part(*made, 0.5, 0.5 + made->reach()), 1);
+    EXPECT_EQ(CircleSweep(*made, 3 + made->reach(), 3).whole(), 0);
+    EXPECT_EQ(CircleSweep(*made, 0.5, 0.5 + made->reach()).whole(), 1);
     const auto within = sector_part(kernel.name, {0, 0, 0.7, -pi, pi});
-    expect_measured(circle_part(*made, 0, 0.7), within, 1e-11);
+    expect_measured(CircleSweep(*made, 0, 0.7).whole(), within, 1e-11);
   }
 }
 

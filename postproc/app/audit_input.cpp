@@ -1,0 +1,45 @@
+#include "app/audit_input.h"
+
+#include "app/progress.h"
+#include "io/error.h"
+#include "io/file_list.h"
+
+namespace mikromakro {
+
+void add_audit_options(CLI::App& app, AuditOptions& options) {
+  add_input_options(app, options.input);
+  add_volume_options(app, options.volumes);
+  // What is the best depends on the volumes.
+  options.volumes.weight.clear();
+  add_weight_option(app, options.volumes,
+                    "sliced (default for rings), centre (default for --grid), or a kernel of width W in m: "
+                    "gauss:W, lucy:W, wendland:W, tophat:W; one box: centre");
+  app.add_option("--wheel-types", options.wheel_types,
+                 "types of the wheel's discs; the inner wall counts too (rings)")
+      ->delimiter(',');
+  app.add_option("--margin", options.margin,
+                 "rings nearer than this to the first and last edge are shown but not judged (m), default 0")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--bound", options.bound, "exit code 1 when a balance is off by more than this part")
+      ->check(CLI::NonNegativeNumber);
+  app.add_flag("--json", options.json, "print JSON");
+  app.add_flag("--quiet", options.quiet, "no progress bar");
+}
+
+std::int64_t read_frames(const FrameSource& source, bool quiet,
+                         const std::function<void(const Frame&)>& take) {
+  Progress progress(total_size(source.files()), quiet);
+  FrameStream stream(source);
+  Frame frame;
+  std::int64_t frames = 0;
+  while (stream.next(frame)) {
+    take(frame);
+    progress.update(stream.bytes_read(), ++frames);
+  }
+  if (frames == 0)
+    throw bad_input({source.files().front()}, "no frame is selected",
+                    "frames that --frames and --steps select", "0");
+  return frames;
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,29 @@
+// What the audits read, and their common options.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "app/input_options.h"
+#include "options/volume_options.h"
+
+namespace mikromakro {
+
+struct AuditOptions {
+  InputOptions input;
+  VolumeOptions volumes;
+  std::vector<int> wheel_types;
+  double margin = 0;
+  double bound = std::numeric_limits<double>::quiet_NaN();
+  bool json = false;
+  bool quiet = false;
+};
+
+void add_audit_options(CLI::App& app, AuditOptions& options);
+
+/// Gives the frames to `take` one after the other, and says how many there were. Throws what reading throws,
+/// and where no frame was selected.
+std::int64_t read_frames(const FrameSource& source, bool quiet,
+                         const std::function<void(const Frame&)>& take);
+
+}  // namespace mikromakro

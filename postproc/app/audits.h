@@ -1,0 +1,16 @@
+// The audits that `mikromakro audit` chooses from. Each prints its table and gives back its balances.
+#pragma once
+
+#include "app/audit_input.h"
+#include "app/audit_report.h"
+
+namespace mikromakro {
+
+/// Torque, radial momentum, forces on discs, volume over rings.
+Balances audit_rings(const AuditOptions& options);
+
+/// Stress of the volume and of the walls, forces on discs and walls, volume, momentum of cells: over --box,
+/// --grid or, with neither, the rectangle between the walls of each frame.
+Balances audit_box(const AuditOptions& options);
+
+}  // namespace mikromakro

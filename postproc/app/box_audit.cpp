@@ -1,0 +1,243 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "app/audits.h"
+#include "audit/box_balance.h"
+#include "audit/cell_balance.h"
+#include "audit/contact_balance.h"
+#include "audit/table_column.h"
+#include "averaging/time_average.h"
+#include "io/error.h"
+
+namespace mikromakro {
+namespace {
+
+// Below this the walls bear normal forces only.
+constexpr double smooth = 1e-12;
+
+constexpr std::array<std::string_view, box_walls> wall_names = {"left", "right", "bottom", "top"};
+constexpr std::array<std::string_view, 4> components = {"xx", "xy", "yx", "yy"};
+
+struct BoxAudit {
+  BoxBalance box;
+  double disc_volume = 0;  // of discs with their centres inside, a frame
+  std::vector<CellBalance> cells;
+  Balances balances;
+};
+
+VolumeOptions checked(const AuditOptions& options) {
+  if (!options.wheel_types.empty())
+    throw bad_input({"--wheel-types"}, "a box has no wheel", "--rings or --edges", "neither");
+  if (options.margin > 0)
+    throw bad_input({"--margin"}, "a box has no edge that is not judged", "--rings or --edges", "neither");
+  VolumeOptions volumes = options.volumes;
+  if (volumes.weight.empty()) volumes.weight = "centre";
+  if (volumes.sectors > 0 || (!volumes.grid.empty() && !volumes.box.empty()))
+    make_averager(volumes, {});  // says what is wrong
+  if (!volumes.branch.empty() && volumes.branch != "contact")
+    throw bad_input({"--branch"}, "stresses balance with branches to the contact points only", "contact",
+                    in_quotes(volumes.branch));
+  volumes.branch = "contact";
+  if (volumes.grid.empty() && volumes.weight != "centre")
+    throw bad_input({"--weight"}, "in one box discs count by their centres", "centre, or --grid",
+                    in_quotes(volumes.weight));
+  return volumes;
+}
+
+// The rectangle that was asked for; none where the walls say it.
+std::optional<Rectangle> given_box(const VolumeOptions& volumes) {
+  const auto& box = volumes.box;
+  const auto& grid = volumes.grid;
+  if (!box.empty()) return Rectangle{{box[0], box[2]}, {box[1], box[3]}};
+  if (!grid.empty()) return Rectangle{{grid[0], grid[3]}, {grid[1], grid[4]}};
+  return std::nullopt;
+}
+
+VolumeOptions one_box(const VolumeOptions& volumes, const Rectangle& box) {
+  VolumeOptions one = volumes;
+  one.grid.clear();
+  one.box = {box.low[0], box.high[0], box.low[1], box.high[1]};
+  return one;
+}
+
+// V nu of all volumes of a table of rectangles.
+double disc_volume_of(const Table& table, double height) {
+  const Eigen::ArrayXd areas = (column_of(table, "x_max") - column_of(table, "x_min")) *
+                               (column_of(table, "y_max") - column_of(table, "y_min"));
+  return (areas * column_of(table, "nu")).sum() * height;
+}
+
+// The sums over one frame, volume by volume, that an audit of a box consists of.
+class BoxAuditor {
+ public:
+  explicit BoxAuditor(const AuditOptions& options)
+      : volumes_(checked(options)),
+        given_(given_box(volumes_)),
+        contacts_({Eigen::Vector2d::Zero(), volumes_.bulk_types, {}}) {
+    if (volumes_.grid.empty()) return;
+    cells_ = make_averager(volumes_, make_fields({"solid_fraction", "stress", "wall_force_density"}));
+    is_kernel_ = make_weight(volumes_.weight)->is_kernel();
+  }
+
+  FrameSource source(const InputOptions& input) const {
+    require_contacts(input, "the stress of walls needs");
+    FrameSource source = frame_source(input);
+    if (!volumes_.bulk_types.empty()) source.particles_needed = column_set(ParticleColumn::type);
+    source.contacts_needed = column_set(ContactColumn::fx, ContactColumn::fy, ContactColumn::overlap);
+    return source;
+  }
+
+  void add(const Frame& frame) {
+    const Rectangle box = given_ ? *given_ : wall_rectangle(frame);
+    VolumeOptions by_centre = one_box(volumes_, box);
+    by_centre.weight = "centre";
+    const auto inside = make_averager(by_centre, make_fields({"solid_fraction", "stress"}));
+    const Rows sums = inside->frame_sums(frame);
+    const Table table = inside->solve(sums);
+    const double volume = box.size().prod() * volumes_.height;
+    Eigen::Matrix2d stress;
+    stress << column_of(table, "sigma_xx"), column_of(table, "sigma_xy"), column_of(table, "sigma_yx"),
+        column_of(table, "sigma_yy");
+    box_.add(box, volumes_.height, volume * stress, box_load(frame, box, volumes_.bulk_types));
+    volume_by_centre_ += disc_volume_of(table, volumes_.height);
+    disc_volume_ += volumes_.height * disc_area_inside(frame, box, volumes_.bulk_types);
+    contacts_.add(frame);
+    if (!cells_) return;
+    of_cells_.add(cells_->frame_sums(frame));
+    if (volumes_.weight == "centre") return;
+    const auto whole = make_averager(one_box(volumes_, box), make_fields({"solid_fraction"}));
+    volume_by_weight_ += disc_volume_of(whole->solve(whole->frame_sums(frame)), volumes_.height);
+  }
+
+  BoxAudit result() const {
+    BoxAudit audit;
+    audit.box = box_;
+    const auto frames = static_cast<double>(box_.frames());
+    audit.disc_volume = disc_volume_ / frames;
+    const bool is_smooth = box_.friction() < smooth;
+    audit.balances = {
+        {"stress", box_.stress_deviation(),
+         "largest difference of a component, volume and boundary, over the pressure"},
+        {"walls", box_.wall_deviation(),
+         is_smooth ? "largest difference of normal stresses, walls and volume, over the pressure"
+                   : "the same of the walls' normal stresses; not judged, since walls have friction",
+         is_smooth},
+        {"forces", box_.wall_residual(), "sum of the forces of the walls over the mean of one"},
+        {"residual", contacts_.force_residual(), "mean force on a disc over the mean contact force"}};
+    add_volume(audit);
+    if (cells_) add_momentum(audit);
+    return audit;
+  }
+
+ private:
+  void add_volume(BoxAudit& audit) const {
+    const bool by_centre = volumes_.weight == "centre";
+    const double all = by_centre ? disc_volume_ : volume_by_weight_;
+    const double found = cells_ ? disc_volume_of(cells_->solve(of_cells_.mean()), volumes_.height) *
+                                      static_cast<double>(box_.frames())
+                                : volume_by_centre_;
+    audit.balances.push_back({"volume", std::abs(found / all - 1),
+                              by_centre ? "sum of nu V against the volume of the discs inside"
+                                        : "sum of nu V over the cells against the whole box"});
+  }
+
+  void add_momentum(BoxAudit& audit) const {
+    const auto columns = static_cast<int>(volumes_.grid[2]);
+    const Table table = cells_->solve(of_cells_.mean());
+    audit.cells = cell_balances(table, columns);
+    const bool judged = is_kernel_ && !audit.cells.empty();
+    audit.balances.push_back({"momentum", momentum_deviation(table, columns),
+                              judged ? "largest |div sigma + t| of a cell times its side over the pressure"
+                              : audit.cells.empty()
+                                  ? "not judged: no cell has four neighbours"
+                                  : "|div sigma + t|; not judged: needs a kernel, wider than a cell",
+                              judged});
+  }
+
+  VolumeOptions volumes_;
+  std::optional<Rectangle> given_;
+  std::unique_ptr<const Averager> cells_;
+  bool is_kernel_ = false;
+  BoxBalance box_;
+  ContactBalance contacts_;
+  TimeAverage of_cells_{0};
+  double disc_volume_ = 0;
+  double volume_by_centre_ = 0;
+  double volume_by_weight_ = 0;
+};
+
+void print_text(const BoxAudit& audit) {
+  const Rectangle box = audit.box.box();
+  // n is the axis to which the wall is normal.
+  fmt::print("{:>10} {:>14} {:>14} {:>14} {:>14}\n", "wall", "F_x/N", "F_y/N", "s_xn/Pa", "s_yn/Pa");
+  for (int number = 0; number < box_walls; ++number) {
+    const WallStress wall = audit.box.wall(number);
+    fmt::print("{:>10} {:>14.6g} {:>14.6g} {:>14.9g} {:>14.9g}\n",
+               wall_names[static_cast<std::size_t>(number)], wall.force[0], wall.force[1], wall.stress[0],
+               wall.stress[1]);
+  }
+  fmt::print("{:>10} {:>14} {:>14} {:>14} {:>14}\n", "", "s_xx/Pa", "s_xy/Pa", "s_yx/Pa", "s_yy/Pa");
+  const auto print = [](std::string_view name, const Eigen::Matrix2d& stress) {
+    fmt::print("{:>10} {:>14.9g} {:>14.9g} {:>14.9g} {:>14.9g}\n", name, stress(0, 0), stress(0, 1),
+               stress(1, 0), stress(1, 1));
+  };
+  print("volume", audit.box.volume_stress());
+  print("boundary", audit.box.boundary_stress());
+  fmt::print(
+      "{} frames; box {:.9g} {:.9g} {:.9g} {:.9g} m; volume of discs {:.6g} m^3; friction of walls {:.3g}\n",
+      audit.box.frames(), box.low[0], box.high[0], box.low[1], box.high[1], audit.disc_volume,
+      audit.box.friction());
+  print_balances(audit.balances);
+}
+
+void add_stress(JsonObject& json, std::string_view name, const Eigen::Matrix2d& stress) {
+  for (std::size_t i = 0; i < 4; ++i)
+    json.add(fmt::format("{}_sigma_{}", name, components[i]),
+             stress(static_cast<Eigen::Index>(i / 2), static_cast<Eigen::Index>(i % 2)));
+}
+
+void print_json(const BoxAudit& audit) {
+  JsonObject json;
+  const Rectangle box = audit.box.box();
+  json.add("frames", audit.box.frames());
+  json.add("box", std::vector<double>{box.low[0], box.high[0], box.low[1], box.high[1]});
+  json.add("volume_of_discs", audit.disc_volume);
+  json.add("friction_of_walls", audit.box.friction());
+  add_stress(json, "volume", audit.box.volume_stress());
+  add_stress(json, "boundary", audit.box.boundary_stress());
+  for (int number = 0; number < box_walls; ++number) {
+    const WallStress wall = audit.box.wall(number);
+    JsonObject one;
+    one.add("force", std::vector<double>{wall.force[0], wall.force[1]});
+    one.add("area", wall.area);
+    one.add(number < 2 ? "sigma_xx" : "sigma_xy", wall.stress[0]);
+    one.add(number < 2 ? "sigma_yx" : "sigma_yy", wall.stress[1]);
+    json.add(wall_names[static_cast<std::size_t>(number)], one);
+  }
+  add_balances(json, audit.balances);
+  const auto add = [&](std::string_view name, const auto& value_of) {
+    std::vector<double> values;
+    for (const CellBalance& cell : audit.cells) values.push_back(value_of(cell));
+    json.add(name, values);
+  };
+  add("x", [](const CellBalance& cell) { return cell.x; });
+  add("y", [](const CellBalance& cell) { return cell.y; });
+  add("momentum_x", [](const CellBalance& cell) { return cell.left[0]; });
+  add("momentum_y", [](const CellBalance& cell) { return cell.left[1]; });
+  fmt::print("{}\n", json.text());
+}
+
+}  // namespace
+
+Balances audit_box(const AuditOptions& options) {
+  BoxAuditor auditor(options);
+  read_frames(auditor.source(options.input), options.quiet, [&](const Frame& frame) { auditor.add(frame); });
+  const BoxAudit audit = auditor.result();
+  options.json ? print_json(audit) : print_text(audit);
+  return audit.balances;
+}
+
+}  // namespace mikromakro

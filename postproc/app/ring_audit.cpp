@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "app/audits.h"
+#include "audit/contact_balance.h"
+#include "audit/ring_balance.h"
+#include "averaging/time_average.h"
+#include "io/error.h"
+
+namespace mikromakro {
+namespace {
+
+struct RingAudit {
+  std::int64_t frames = 0;
+  double wheel_torque = 0;
+  std::vector<RingBalance> rings;
+  double volume_of_rings = 0;  // sum of nu V
+  double volume_inside = 0;    // of discs between the first and the last edge
+  Balances balances;
+};
+
+double volume_of(const Averager& averager, const Rows& mean) {
+  const Table table = averager.solve(mean);
+  double volume = 0;
+  for (Eigen::Index i = 0; i < table.rows.rows(); ++i) {
+    const double area = (table.rows(i, 1) - table.rows(i, 0)) * (table.rows(i, 1) + table.rows(i, 0));
+    volume += area * table.rows(i, 3);
+  }
+  return volume;
+}
+
+VolumeOptions one_ring(const VolumeOptions& options) {
+  VolumeOptions one = options;
+  const std::vector<double> edges = ring_edges(options);
+  one.rings.clear();
+  one.edges = {edges.front(), edges.back()};
+  return one;
+}
+
+VolumeOptions checked(const VolumeOptions& options) {
+  if (options.sectors > 0)
+    throw bad_input({"--sectors"}, "audits are of whole rings", "no --sectors",
+                    fmt::format("{}", options.sectors));
+  VolumeOptions volumes = options;
+  if (volumes.weight.empty()) volumes.weight = "sliced";
+  return volumes;
+}
+
+RingAudit audit(const AuditOptions& options) {
+  const VolumeOptions volumes = checked(options.volumes);
+  const auto rings = make_averager(volumes, make_fields({"solid_fraction", "stress"}));
+  const auto whole = make_averager(one_ring(volumes), make_fields({"solid_fraction"}));
+  FrameSource source = source_of(options.input, *rings);
+  source.contacts_needed |= column_set(ContactColumn::overlap);
+  TimeAverage of_rings(0);
+  TimeAverage of_whole(0);
+  ContactBalance contacts({ring_centre(volumes), volumes.bulk_types, options.wheel_types});
+  RingAudit result;
+  result.frames = read_frames(source, options.quiet, [&](const Frame& frame) {
+    of_rings.add(rings->frame_sums(frame));
+    of_whole.add(whole->frame_sums(frame));
+    contacts.add(frame);
+  });
+  result.wheel_torque = contacts.wheel_torque();
+  result.rings = ring_balances(rings->solve(of_rings.mean()), volumes.height, options.margin);
+  const double to_volume = std::numbers::pi * volumes.height;
+  result.volume_of_rings = to_volume * volume_of(*rings, of_rings.mean());
+  result.volume_inside = to_volume * volume_of(*whole, of_whole.mean());
+  result.balances = {
+      {"torque", torque_deviation(result.rings, result.wheel_torque),
+       "largest deviation of 2 pi r^2 h sigma_phir from the wheel's torque"},
+      {"radial", radial_deviation(result.rings),
+       "largest |d(r sigma_rr)/dr - sigma_phiphi| over the pressure"},
+      {"residual", contacts.force_residual(), "mean force on a disc over the mean contact force"},
+      {"volume", std::abs(result.volume_of_rings / result.volume_inside - 1),
+       "volume of the rings' discs against that of all discs inside"}};
+  return result;
+}
+
+void print_text(const RingAudit& audit) {
+  fmt::print("{:>10} {:>14} {:>10} {:>16} {:>14}\n", "r/m", "torque/(N m)", "/wheel", "d(r s_rr)/dr/Pa",
+             "s_phiphi/Pa");
+  for (const RingBalance& ring : audit.rings) {
+    fmt::print("{:>10.6g} {:>14.6g} {:>10.4f} {:>16.6g} {:>14.6g}{}\n", ring.r, ring.torque,
+               ring.torque / audit.wheel_torque, ring.slope, ring.sigma_phiphi,
+               ring.counts ? "" : "  at a wall");
+  }
+  fmt::print("{} frames; torque of the discs on the wheel {:.6g} N m; volume of discs {:.6g} m^3\n",
+             audit.frames, audit.wheel_torque, audit.volume_inside);
+  print_balances(audit.balances);
+}
+
+void print_json(const RingAudit& audit) {
+  JsonObject json;
+  json.add("frames", audit.frames);
+  json.add("wheel_torque", audit.wheel_torque);
+  json.add("volume_of_rings", audit.volume_of_rings);
+  json.add("volume_inside", audit.volume_inside);
+  add_balances(json, audit.balances);
+  const auto add = [&](std::string_view name, const auto& value_of) {
+    std::vector<double> values;
+    for (const RingBalance& ring : audit.rings) values.push_back(value_of(ring));
+    json.add(name, values);
+  };
+  add("r", [](const RingBalance& ring) { return ring.r; });
+  add("torque_of_ring", [](const RingBalance& ring) { return ring.torque; });
+  add("radial_slope", [](const RingBalance& ring) { return ring.slope; });
+  add("sigma_phiphi", [](const RingBalance& ring) { return ring.sigma_phiphi; });
+  add("counts", [](const RingBalance& ring) { return ring.counts ? 1.0 : 0.0; });
+  fmt::print("{}\n", json.text());
+}
+
+}  // namespace
+
+Balances audit_rings(const AuditOptions& options) {
+  const RingAudit result = audit(options);
+  options.json ? print_json(result) : print_text(result);
+  return result.balances;
+}
+
+}  // namespace mikromakro

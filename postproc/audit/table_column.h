@@ -1,0 +1,18 @@
+// Columns of a table by name.
+#pragma once
+
+#include <stdexcept>
+#include <string_view>
+
+#include "io/table.h"
+
+namespace mikromakro {
+
+/// The column of this name; the caller has asked for its field. Throws std::logic_error where it is missing.
+inline Eigen::ArrayXd column_of(const Table& table, std::string_view name) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    if (table.columns[i].name == name) return table.rows.col(static_cast<Eigen::Index>(i));
+  throw std::logic_error("the table has no such column");
+}
+
+}  // namespace mikromakro
