@@ -76,6 +76,8 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   bool will_stay_open() const { return packed_.may_stay_open && !readers_.any_at_present_step(*lmp); }
   /// Whether no disc can have left its half of the neighbour list's skin, in a step for which rows are there.
   bool neighbours_suffice();
+  /// Whether no pair can have come so close, in such a step, that the near ones have to be found anew.
+  bool near_pairs_suffice() const { return 2 * (moved_ + packed_.furthest) <= near_gap_; }
 
  private:
   using Loop = void (PairGranDisc::*)(LAMMPS_NS::PairGran&, bool addflag);

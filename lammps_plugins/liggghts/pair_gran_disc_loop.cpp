@@ -239,7 +239,8 @@ void PairGranDisc::loop(PairGran& pair, bool addflag) {
     flatten<effects>(pair);
     remember_places();
   }
-  if (new_pairs || 2 * moved_ > near_gap_) {
+  if (new_pairs || packed_.look_is_due || 2 * moved_ > near_gap_) {
+    packed_.look_is_due = false;
     put_springs_into_engine();
     find_near_pairs<effects>();
   }

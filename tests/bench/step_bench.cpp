@@ -1,8 +1,9 @@
 // Whole-step times of the paper's cell (run A) and of larger ones: stock LIGGGHTS, the disc styles, stock
 // LAMMPS, and the stand-alone loop of disc_reference.h, all from the same state, interleaved in one run.
 // Prints a Markdown table.
-//   build/bin/step_bench [run_a | NUMBER_OF_DISCS] [STEPS] [REPETITIONS]
+//   build/bin/step_bench [run_a | NUMBER_OF_DISCS] [STEPS] [REPETITIONS] [disc]
 //   mpirun -n 2 build/bin/step_bench ...    adds the engine on both ranks
+// `disc` leaves out all but the disc styles, for a profiler.
 #include <fmt/format.h>
 #include <mpi.h>
 #include <unistd.h>
@@ -92,19 +93,23 @@ double run_lammps(const Task& task) {
   return seconds / task.steps * 1e6;
 }
 
-std::vector<Contender> contenders(int ranks) {
+/// The disc styles on one rank come first: the others are compared with them.
+std::vector<Contender> contenders(int ranks, bool only_disc_styles) {
   std::vector<Contender> all;
   all.push_back(
-      {"stock LIGGGHTS", 1, [](const Task& t) { return run_liggghts(t, Styles::stock, MPI_COMM_SELF); }});
-  all.push_back({"stock LAMMPS", 1, run_lammps});
-  all.push_back(
       {"disc styles", 1, [](const Task& t) { return run_liggghts(t, Styles::disc, MPI_COMM_SELF); }});
-  all.push_back({"stand-alone loop", 1, run_reference});
+  if (!only_disc_styles) {
+    all.push_back({"stand-alone loop", 1, run_reference});
+    all.push_back({"stock LIGGGHTS", 1,
+                   [](const Task& t) { return run_liggghts(t, Styles::stock, MPI_COMM_SELF); }});
+    all.push_back({"stock LAMMPS", 1, run_lammps});
+  }
   if (ranks > 1) {
-    all.push_back({"stock LIGGGHTS", ranks,
-                   [](const Task& t) { return run_liggghts(t, Styles::stock, MPI_COMM_WORLD); }});
     all.push_back(
         {"disc styles", ranks, [](const Task& t) { return run_liggghts(t, Styles::disc, MPI_COMM_WORLD); }});
+    if (!only_disc_styles)
+      all.push_back({"stock LIGGGHTS", ranks,
+                     [](const Task& t) { return run_liggghts(t, Styles::stock, MPI_COMM_WORLD); }});
   }
   return all;
 }
@@ -158,7 +163,7 @@ void print_table(const std::vector<Contender>& all, const Task& task, int repeti
   fmt::print("| --- | --- | --- | --- | --- | --- |\n");
   for (const auto& c : all) {
     fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.2f} |\n", c.name, c.ranks, c.median(), c.least(),
-               c.most(), c.median() / all[2].median());
+               c.most(), c.median() / all.front().median());
   }
 }
 
@@ -168,6 +173,7 @@ int run(int argc, char** argv) {
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   const std::string size = argc > 1 ? argv[1] : "run_a";
   const int steps = argc > 2 ? std::stoi(argv[2]) : 1000, repetitions = argc > 3 ? std::stoi(argv[3]) : 7;
+  const bool only_disc_styles = argc > 4 && std::string(argv[4]) == "disc";
 
   DiscScene scene;
   if (rank == 0) scene = size == "run_a" ? run_a() : large_cell(std::stoi(size));
@@ -182,11 +188,11 @@ int run(int argc, char** argv) {
   wait_for_rank_0();
 
   const Task task{scene, data_file, steps};
-  auto all = contenders(ranks);
+  auto all = contenders(ranks, only_disc_styles);
   race(all, task, repetitions);
   if (rank == 0) {
     print_table(all, task, repetitions);
-    compare_energies(task, 1000);
+    if (!only_disc_styles) compare_energies(task, 1000);
     std::remove(data_file.c_str());
   }
   wait_for_rank_0();
