@@ -97,7 +97,7 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   template <physics::Effects effects>
   void use_loops_of();
   template <bool spins>
-  void gather(int first);
+  double gather(int first);
   template <physics::Effects effects>
   void flatten(LAMMPS_NS::PairGran& pair);
   void remember_places();
@@ -127,9 +127,11 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, protected 
   int** flags_ = nullptr;
   std::vector<double*> histories_;
   std::vector<char> in_contact_;
-  // Since the last look at all pairs: those that may touch, and how far any disc has moved at most [m].
+  // Since the last look at all pairs: those that may touch, how far any disc has moved at most [m], steps.
   physics::NearPairs near_;
   double near_gap_ = 0, moved_ = 0;
+  int steps_of_near_ = 0;
+  double fastest_path_ = 0;  // of any disc in a step, of late [m]
   // Since the neighbour list was built: where owned discs were then, how far any has moved at most [m].
   std::vector<physics::PlaneVector> built_at_;
   double path_ = 0;

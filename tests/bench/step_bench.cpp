@@ -100,8 +100,8 @@ std::vector<Contender> contenders(int ranks, bool only_disc_styles) {
       {"disc styles", 1, [](const Task& t) { return run_liggghts(t, Styles::disc, MPI_COMM_SELF); }});
   if (!only_disc_styles) {
     all.push_back({"stand-alone loop", 1, run_reference});
-    all.push_back({"stock LIGGGHTS", 1,
-                   [](const Task& t) { return run_liggghts(t, Styles::stock, MPI_COMM_SELF); }});
+    all.push_back(
+        {"stock LIGGGHTS", 1, [](const Task& t) { return run_liggghts(t, Styles::stock, MPI_COMM_SELF); }});
     all.push_back({"stock LAMMPS", 1, run_lammps});
   }
   if (ranks > 1) {
