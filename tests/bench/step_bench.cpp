@@ -177,6 +177,7 @@ int run(int argc, char** argv) {
 
   DiscScene scene;
   if (rank == 0) scene = size == "run_a" ? run_a() : large_cell(std::stoi(size));
+  wait_for_rank_0();
   std::string data_file = temporary_file("step_bench");
   data_file.resize(256);
   MPI_Bcast(data_file.data(), 256, MPI_CHAR, 0, MPI_COMM_WORLD);
