@@ -3,6 +3,9 @@
 // too, so that the error is of order dt^2 whatever gamma is.
 #pragma once
 
+#include <cmath>
+#include <numbers>
+
 namespace mikromakro::physics {
 
 struct ServoWall {
@@ -33,6 +36,13 @@ inline ServoWall servo_kick(const ServoWall& drifted, double force, const ServoP
   const double velocity =
       (drifted.velocity + 0.5 * dt * force / p.mass) / (1 + 0.5 * dt * p.damping / p.mass);
   return {drifted.position, velocity, (force - p.damping * velocity) / p.mass};
+}
+
+// Half a period (s) of a wall on contacts with discs that do not yield, of the summed stiffness K (N/m):
+// pi sqrt(m/K), the shortest time in which it moves, whatever its damping. As contacts do
+// (contact_duration.h), it asks for time steps of a fiftieth.
+inline double servo_half_period(double mass, double stiffness) {
+  return std::numbers::pi * std::sqrt(mass / stiffness);
 }
 
 // Force of an outer pressure p (N/m) on a wall of length L, beside the discs' F: F - p L, outwards.

@@ -80,6 +80,8 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   bool will_stay_open() const { return packed_.may_stay_open && !readers_.any_at_present_step(*lmp); }
   /// Whether no disc can have left its half of the neighbour list's skin, in a step for which rows are there.
   bool neighbours_suffice();
+  /// Whether no pair can have come so close, in such a step, that the near ones have to be found anew.
+  bool near_pairs_suffice() const { return 2 * (moved_ + packed_.furthest) <= near_gap_; }
 
  protected:
   /// Columns of the springs in an engine's history of contacts.
@@ -136,7 +138,7 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   template <physics::Effects effects>
   void use_loops_of();
   template <bool spins>
-  void gather(int first);
+  double gather(int first);
   template <physics::Effects effects>
   void flatten(const LAMMPS_NS::NeighList& list);
   void remember_places();
@@ -165,9 +167,11 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   int** flags_ = nullptr;
   std::vector<double*> histories_;
   std::vector<char> in_contact_;
-  // Since the last look at all pairs: those that may touch, and how far any disc has moved at most [m].
+  // Since the last look at all pairs: those that may touch, how far any disc has moved at most [m], steps.
   physics::NearPairs near_;
   double near_gap_ = 0, moved_ = 0;
+  int steps_of_near_ = 0;
+  double fastest_path_ = 0;  // of any disc in a step, of late [m]
   // Since the neighbour list was built: where owned discs were then, how far any has moved at most [m].
   std::vector<physics::PlaneVector> built_at_;
   double path_ = 0;

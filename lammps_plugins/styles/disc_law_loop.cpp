@@ -73,9 +73,10 @@ void DiscLaw::stop_at_coincident_centres(const ContactBatch& c, const DiscPair* 
 }
 
 /// Rows of the discs, owned or ghost, from number `first` on, from the engine's arrays, which would cost a
-/// cache line each for every neighbour. Notes how far any of them has moved.
+/// cache line each for every neighbour. Returns how far any disc has moved at most [m], provided that discs
+/// have the numbers that they had.
 template <bool spins>
-void DiscLaw::gather(int first) {
+double DiscLaw::gather(int first) {
   const int count = atom->nlocal + atom->nghost;
   auto& discs = packed_.discs;
   discs.resize(count);
@@ -91,9 +92,8 @@ void DiscLaw::gather(int first) {
     discs[i].set_motion(v[i][0], v[i][1], spins ? omega[i][2] : 0.0);
   }
   const double moved = std::max(std::sqrt(furthest), first > 0 ? packed_.furthest : 0.0);
-  moved_ += moved;
-  path_ += moved;
   packed_.furthest = 0;
+  return moved;
 }
 
 namespace {
@@ -189,20 +189,28 @@ void DiscLaw::flatten(const NeighList& list) {
   }
 }
 
+namespace {
+
+FOR_EACH_PROCESSOR void find_near(physics::NearPairs& near, const std::vector<DiscPair>& all,
+                                  const DiscRow* discs, const std::vector<char>& touched, double gap) {
+  near.find(all, discs, touched, gap);
+}
+
+}  // namespace
+
 /// Looks through all pairs for those that may touch before the discs have moved by a small part of the skin.
 template <Effects effects>
 void DiscLaw::find_near_pairs() {
-  near_gap_ = physics::near_fraction * neighbor->skin;
+  if (steps_of_near_ > 0) fastest_path_ = moved_ / steps_of_near_;
+  near_gap_ = physics::near_gap(fastest_path_, neighbor->skin);
   moved_ = 0;
-  near_.clear();
-  for (int number = 0; number < static_cast<int>(pairs_.size()); ++number) {
-    const auto& pair = pairs_[number];
-    const bool touched = effects.spring() && in_contact_[number] != 0;
-    if (!touched && !physics::are_near(packed_.discs[pair.i], packed_.discs[pair.j], near_gap_)) continue;
-    near_.add(pair, number);
-    if constexpr (effects.spring()) {
+  steps_of_near_ = 0;
+  find_near(near_, pairs_, packed_.discs.data(), in_contact_, near_gap_);
+  if constexpr (effects.spring()) {
+    for (int k = 0; k < near_.size(); ++k) {
+      const int number = near_.number(k);
       const double* history = histories_[number];
-      near_.add_spring(touched, history[history_xi], history[history_slip_rate]);
+      near_.set_spring(k, in_contact_[number] != 0, history[history_xi], history[history_slip_rate]);
     }
   }
 }
@@ -230,13 +238,18 @@ void DiscLaw::remember_places() {
 template <Effects effects, bool observed>
 void DiscLaw::loop(const Evaluation& evaluation) {
   const bool rows_are_there = packed_.step == update->ntimestep && neighbor->ago != 0;
-  gather<effects.tangential != Tangential::none>(rows_are_there ? atom->nlocal : 0);
+  const double moved = gather<effects.tangential != Tangential::none>(rows_are_there ? atom->nlocal : 0);
   const bool new_pairs = neighbor->ago == 0 || pairs_.empty();
   if (new_pairs) {
     flatten<effects>(evaluation.list);
     remember_places();
+  } else {
+    moved_ += moved;
+    path_ += moved;
+    ++steps_of_near_;
   }
-  if (new_pairs || 2 * moved_ > near_gap_) {
+  if (new_pairs || packed_.look_is_due || 2 * moved_ > near_gap_) {
+    packed_.look_is_due = false;
     put_springs_into_engine();
     find_near_pairs<effects>();
   }

@@ -59,7 +59,7 @@ FixBiaxial2d::~FixBiaxial2d() {
 
 int FixBiaxial2d::calls_wanted() const {
   using namespace LAMMPS_NS::FixConst;
-  return INITIAL_INTEGRATE | POST_FORCE | FINAL_INTEGRATE;
+  return INITIAL_INTEGRATE | POST_FORCE | FINAL_INTEGRATE | POST_RUN;
 }
 
 // After the state of a restart file, if there is one, has been taken over.
@@ -76,6 +76,7 @@ void FixBiaxial2d::init() {
 }
 
 void FixBiaxial2d::setup(int) {
+  check_time_step();
   walls_.apply(smooth_walls());
   sum_forces();
   for (int side = 0; side < 4; ++side) {
@@ -137,6 +138,11 @@ void FixBiaxial2d::final_integrate() {
     wall.work -= outward[side] * 0.5 * (wall.previous_pressing + wall.pressing) *
                  (wall.motion.position - wall.previous_position);
   }
+}
+
+// Contacts may have formed since the run began.
+void FixBiaxial2d::post_run() {
+  check_time_step();
 }
 
 // One sum over the ranks for all that the walls feel.

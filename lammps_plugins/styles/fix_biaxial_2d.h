@@ -19,6 +19,9 @@
 // strains and works count from here on. A fix that continues from a restart file takes the walls where they
 // stood; one whose CONTROL is the same as before goes on with it.
 //
+// A stress-controlled wall whose half period pi sqrt(M/K) on its contacts of stiffness K is shorter than 50
+// time steps is warned of, below 4 refused, at the start and at the end of each run.
+//
 // Scalar: work of all walls on the discs (J). Vector, walls in the order left right bottom top:
 //    1 - 4   positions, m                          5 - 8   velocities along x or y, m/s
 //    9 - 12  forces that press them outwards, N   13 - 16  the same over their length (and H): N/m or Pa
@@ -48,6 +51,7 @@ class FixBiaxial2d : public FixWithClock, public WallContactSource {
   void initial_integrate(int vflag) override;
   void post_force(int vflag) override;
   void final_integrate() override;
+  void post_run() override;
   int modify_param(int narg, char** arg) override;
   void reset_dt() override;
   double compute_scalar() override;
@@ -101,6 +105,8 @@ class FixBiaxial2d : public FixWithClock, public WallContactSource {
   void follow_time_step(LAMMPS_NS::bigint step);
   void move(Wall& wall, double time) const;
   void check_rectangle() const;
+  [[nodiscard]] std::array<double, 4> stiffness_of_contacts() const;  // N/m
+  void check_time_step() const;
   [[nodiscard]] std::vector<physics::SmoothWall> smooth_walls() const;
   void sum_forces();
 

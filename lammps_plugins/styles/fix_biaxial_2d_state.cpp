@@ -1,10 +1,15 @@
 // fix biaxial/2d: how its walls begin to move otherwise, what it checks, and what restart files hold.
+#include <mpi.h>
+
 #include <cstring>
 
 #include "atom.h"
 #include "comm.h"
 #include "disc_insertion.h"
+#include "error.h"
 #include "fix_biaxial_2d.h"
+#include "pair_gran_disc.h"
+#include "physics/contact_duration.h"
 #include "update.h"
 
 namespace mikromakro::styles {
@@ -66,6 +71,45 @@ void FixBiaxial2d::check_rectangle() const {
   check_inside_box(
       *lmp, style, "the walls",
       {box_[0].motion.position, box_[1].motion.position, box_[2].motion.position, box_[3].motion.position});
+}
+
+std::array<double, 4> FixBiaxial2d::stiffness_of_contacts() const {
+  const PairGranDisc& law = *active_disc_law(*lmp);
+  const bool hertz = law.effects().normal == physics::Normal::hertz;
+  const auto walls = smooth_walls();
+  const auto kinds = walls_.kinds();
+  std::array<double, 4> sums{};
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    for (int side = 0; side < 4; ++side) {
+      const auto& wall = walls[side];
+      const double overlap = atom->radius[i] + (atom->x[i][0] - wall.point.x) * wall.outward.x +
+                             (atom->x[i][1] - wall.point.y) * wall.outward.y;
+      if (overlap <= 0) continue;
+      const double k_n = law.parameters(atom->type[i], kinds[side].type).normal_stiffness;
+      sums[side] +=
+          hertz ? physics::hertz_tangent_stiffness(physics::hertz_stiffness(k_n, atom->radius[i]), overlap)
+                : k_n;
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), 4, MPI_DOUBLE, MPI_SUM, world);
+  return sums;
+}
+
+void FixBiaxial2d::check_time_step() const {
+  const auto stiffness = stiffness_of_contacts();
+  for (int side = 0; side < 4; ++side) {
+    const WallControl& control = box_[side].control;
+    if (control.kind != Kind::stress || stiffness[side] == 0) continue;
+    const double half_period = physics::servo_half_period(control.mass, stiffness[side]);
+    const double steps = half_period / update->dt;
+    const std::string what = biaxial_sides[side] + ": half a period of the wall on its contacts (" +
+                             text_of(half_period) + " s) has " + text_of(steps) +
+                             " time steps; expected 50 or more, with a larger mass or a shorter step";
+    if (steps < physics::least_steps_per_contact) stop(*lmp, style, what);
+    if (steps < physics::steps_per_contact && comm->me == 0)
+      error->warning(FLERR, (style + (": " + what)).c_str());
+  }
 }
 
 // The command `timestep` tells no fix.

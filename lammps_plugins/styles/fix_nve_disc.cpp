@@ -163,9 +163,12 @@ void FixNveDisc::go_on() {
 /// arrays. Nor need it clear forces that nobody is going to look at.
 void FixNveDisc::post_integrate() {
   if (!packed_ || !packed_->open) return;
-  int doubt = law_->neighbours_suffice() ? 0 : 1;
-  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &doubt, 1, MPI_INT, MPI_MAX, world);
-  if (doubt || build_is_due(*lmp)) {
+  struct {
+    int doubt, look_due;
+  } anywhere{law_->neighbours_suffice() ? 0 : 1, law_->near_pairs_suffice() ? 0 : 1};
+  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &anywhere, 2, MPI_INT, MPI_MAX, world);
+  packed_->look_is_due = anywhere.look_due != 0;
+  if (anywhere.doubt || build_is_due(*lmp)) {
     law_->put_discs_into_engine();
     law_->put_springs_into_engine();
   } else {

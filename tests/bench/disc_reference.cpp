@@ -44,6 +44,7 @@ DiscReference::DiscReference(const DiscScene& scene) : scene_(scene) {
   for (const auto& disc : scene_.discs) add(disc);
   loads_.resize(discs_.size());
   for (int k = 0; k < ContactBatch::lanes; ++k) batch_.set_material(k, scene.material);
+  near_gap_ = physics::near_gap(0, scene.skin);
   build_pairs();
   find_near_pairs();
   evaluate_contacts(0);
@@ -114,15 +115,17 @@ void DiscReference::move_walls(double time) {
 }
 
 void DiscReference::update_pairs() {
-  if (2 * moved_ <= physics::near_fraction * scene_.skin) return;
+  ++steps_of_near_;
+  if (2 * moved_ <= near_gap_) return;
   put_springs_away();
+  near_gap_ = std::min(physics::near_gap(moved_ / steps_of_near_, scene_.skin), scene_.skin / 2);
   if (moved_too_far()) build_pairs();
   find_near_pairs();
 }
 
 /// Whether pairs that are not in the neighbour list could meet before the next look at it.
 bool DiscReference::moved_too_far() const {
-  const double limit = (1 - physics::near_fraction) * scene_.skin / 2;
+  const double limit = (scene_.skin - near_gap_) / 2;
   for (std::size_t i = 0; i < discs_.size(); ++i) {
     const double d_x = discs_[i].x() - built_at_[i].x, d_y = discs_[i].y() - built_at_[i].y;
     if (d_x * d_x + d_y * d_y > limit * limit) return true;
@@ -177,13 +180,11 @@ void DiscReference::build_pairs() {
 /// Pairs that may touch before the discs have moved by a small part of the skin. Springs wait in springs_.
 void DiscReference::find_near_pairs() {
   moved_ = 0;
-  near_.clear();
-  for (int k = 0; k < static_cast<int>(pairs_.size()); ++k) {
-    const auto& [i, j] = pairs_[k];
-    if (!in_contact_[k] && !physics::are_near(discs_[i], discs_[j], physics::near_fraction * scene_.skin))
-      continue;
-    near_.add(pairs_[k], k);
-    near_.add_spring(in_contact_[k] != 0, springs_[k].xi, springs_[k].slip_rate);
+  steps_of_near_ = 0;
+  near_.find(pairs_, discs_.data(), in_contact_, near_gap_);
+  for (int k = 0; k < near_.size(); ++k) {
+    const int number = near_.number(k);
+    near_.set_spring(k, in_contact_[number] != 0, springs_[number].xi, springs_[number].slip_rate);
   }
 }
 

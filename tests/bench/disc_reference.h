@@ -67,7 +67,8 @@ class DiscReference {
 
   // Since the last look at all pairs.
   physics::NearPairs near_;
-  double moved_ = 0;
+  double near_gap_ = 0, moved_ = 0;
+  int steps_of_near_ = 0;
 
   physics::ContactBatch batch_{};
 };

@@ -36,6 +36,12 @@ const std::string off = "model disc/linear tangential off ",
                   viscous = "model disc/linear tangential disc/viscous ",
                   spring = "model disc/linear tangential disc/cundall_strack ";
 
+/// A box around the cell: what smooth walls cost where no disc touches them, with the closed state that they
+/// ask for.
+const std::string untouched_walls =
+    "fix box free biaxial/2d type 4 left -0.2615 fixed right 0.2615 fixed bottom -0.2615 fixed top 0.2615 "
+    "fixed\n";
+
 std::vector<Law> laws() {
   return {{"loop without friction by hand, nve/sphere", "model bench/by_hand tangential off", "", true},
           {"friction off, nve/sphere", off, "", true},
@@ -47,6 +53,8 @@ std::vector<Law> laws() {
           {"spring + dashpot", spring + "tangential_damping on"},
           {"spring, no attraction", spring + "limitForce on"},
           {"Hertz, spring", "model disc/hertz tangential disc/cundall_strack"},
+          {"spring, bottom friction", spring, "fix bottom free bottom/friction 2e-5 9.81\n"},
+          {"spring, smooth walls besides, untouched", spring, untouched_walls},
           {"spring, contacts recorded in each step", spring, "compute contacts all contact/disc\nthermo 1\n"},
           {"spring, thermo line in each step, nothing recorded", spring, "thermo 1\n"}};
 }

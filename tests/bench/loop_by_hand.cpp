@@ -24,7 +24,6 @@ using namespace LAMMPS_NS;
 using physics::Four;
 
 constexpr int model_id = 40, lanes = 64;
-constexpr double near_fraction = 0.05;
 
 struct Pair {
   int i, j;
@@ -107,7 +106,7 @@ class LoopByHand : public LIGGGHTS::PairStyles::IGranularPairStyle, protected Po
     pair->evflag = pair->vflag_fdotr = 0;
     gather();
     if (neighbor->ago == 0 || pairs_.empty()) flatten(*pair->list);
-    if (neighbor->ago == 0 || 2 * moved_ > near_fraction * neighbor->skin) find_near_pairs();
+    if (neighbor->ago == 0 || 2 * moved_ > near_gap_) find_near_pairs();
     for (std::size_t first = 0; first < near_.size(); first += lanes) {
       const int count = static_cast<int>(std::min<std::size_t>(lanes, near_.size() - first));
       load(columns_, rows_.data(), &near_[first], count);
@@ -139,6 +138,7 @@ class LoopByHand : public LIGGGHTS::PairStyles::IGranularPairStyle, protected Po
       rows_[i] = {Four{x[0], x[1], atom->radius[i], 0}, Four{v[0], v[1], 0, 0}};
     }
     moved_ += std::sqrt(furthest);
+    ++steps_;
   }
   void flatten(const NeighList& list) {
     pairs_.clear();
@@ -149,16 +149,21 @@ class LoopByHand : public LIGGGHTS::PairStyles::IGranularPairStyle, protected Po
   }
   void find_near_pairs() {
     near_.clear();
+    const double skin = neighbor->skin;
+    if (neighbor->ago != 0) path_ = moved_ / steps_;  // else discs have got other numbers
+    near_gap_ = std::clamp(std::cbrt(23.5 * path_ * path_ * skin), skin / 100, skin);
     moved_ = 0;
+    steps_ = 0;
     for (const auto& pair : pairs_) {
       const Four d = rows_[pair.j].place + from_1_to_2 * rows_[pair.i].place;
-      const double limit = d[2] + near_fraction * neighbor->skin;
+      const double limit = d[2] + near_gap_;
       if (d[0] * d[0] + d[1] * d[1] <= limit * limit) near_.push_back(pair);
     }
   }
 
   std::int64_t hash_;
-  double k_n_ = 0, gamma_n_ = 0, moved_ = 0;
+  double k_n_ = 0, gamma_n_ = 0, near_gap_ = 0, moved_ = 0, path_ = 0;
+  int steps_ = 0;
   std::vector<Row> rows_;
   std::vector<Load> loads_;
   std::vector<Pair> pairs_, near_;

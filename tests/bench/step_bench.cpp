@@ -1,8 +1,9 @@
 // Whole-step times of the paper's cell (run A) and of larger ones: stock LIGGGHTS, the disc styles, stock
 // LAMMPS, and the stand-alone loop of disc_reference.h, all from the same state, interleaved in one run.
 // Prints a Markdown table.
-//   build/bin/step_bench [run_a | NUMBER_OF_DISCS] [STEPS] [REPETITIONS]
+//   build/bin/step_bench [run_a | NUMBER_OF_DISCS] [STEPS] [REPETITIONS] [disc]
 //   mpirun -n 2 build/bin/step_bench ...    adds the engine on both ranks
+// `disc` leaves out all but the disc styles, for a profiler.
 #include <fmt/format.h>
 #include <mpi.h>
 #include <unistd.h>
@@ -93,24 +94,28 @@ double run_lammps(const Task& task, const std::string& program, const std::strin
   return seconds / task.steps * 1e6;
 }
 
-std::vector<Contender> contenders(int ranks) {
+/// The disc styles on one rank come first: the others are compared with them.
+std::vector<Contender> contenders(int ranks, bool only_disc_styles) {
   std::vector<Contender> all;
   all.push_back(
-      {"stock LIGGGHTS", 1, [](const Task& t) { return run_liggghts(t, Styles::stock, MPI_COMM_SELF); }});
-  all.push_back(
-      {"stock LAMMPS", 1, [](const Task& t) { return run_lammps(t, "lmp", lammps_stock_styles(t.scene)); }});
-  all.push_back(
       {"disc styles", 1, [](const Task& t) { return run_liggghts(t, Styles::disc, MPI_COMM_SELF); }});
-  all.push_back({"stand-alone loop", 1, run_reference});
+  if (!only_disc_styles) {
+    all.push_back({"stand-alone loop", 1, run_reference});
+    all.push_back(
+        {"stock LIGGGHTS", 1, [](const Task& t) { return run_liggghts(t, Styles::stock, MPI_COMM_SELF); }});
+    all.push_back(
+        {"stock LAMMPS", 1, [](const Task& t) { return run_lammps(t, "lmp", lammps_stock_styles(t.scene)); }});
 #ifdef LMP_DISC
-  all.push_back({"disc styles in LAMMPS", 1,
-                 [](const Task& t) { return run_lammps(t, LMP_DISC, lammps_disc_styles(t.scene)); }});
+    all.push_back({"disc styles in LAMMPS", 1,
+                   [](const Task& t) { return run_lammps(t, LMP_DISC, lammps_disc_styles(t.scene)); }});
 #endif
+  }
   if (ranks > 1) {
-    all.push_back({"stock LIGGGHTS", ranks,
-                   [](const Task& t) { return run_liggghts(t, Styles::stock, MPI_COMM_WORLD); }});
     all.push_back(
         {"disc styles", ranks, [](const Task& t) { return run_liggghts(t, Styles::disc, MPI_COMM_WORLD); }});
+    if (!only_disc_styles)
+      all.push_back({"stock LIGGGHTS", ranks,
+                     [](const Task& t) { return run_liggghts(t, Styles::stock, MPI_COMM_WORLD); }});
   }
   return all;
 }
@@ -169,7 +174,7 @@ void print_table(const std::vector<Contender>& all, const Task& task, int repeti
   fmt::print("| --- | --- | --- | --- | --- | --- |\n");
   for (const auto& c : all) {
     fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.2f} |\n", c.name, c.ranks, c.median(), c.least(),
-               c.most(), c.median() / all[2].median());
+               c.most(), c.median() / all.front().median());
   }
   fmt::print("\nOn one rank, LIGGGHTS: stock over ours {:.2f}; LAMMPS: stock over ours {:.2f}.\n",
              median_of(all, "stock LIGGGHTS") / median_of(all, "disc styles"),
@@ -182,9 +187,11 @@ int run(int argc, char** argv) {
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   const std::string size = argc > 1 ? argv[1] : "run_a";
   const int steps = argc > 2 ? std::stoi(argv[2]) : 1000, repetitions = argc > 3 ? std::stoi(argv[3]) : 7;
+  const bool only_disc_styles = argc > 4 && std::string(argv[4]) == "disc";
 
   DiscScene scene;
   if (rank == 0) scene = size == "run_a" ? run_a() : large_cell(std::stoi(size));
+  wait_for_rank_0();
   std::string data_file = temporary_file("step_bench");
   data_file.resize(256);
   MPI_Bcast(data_file.data(), 256, MPI_CHAR, 0, MPI_COMM_WORLD);
@@ -196,11 +203,11 @@ int run(int argc, char** argv) {
   wait_for_rank_0();
 
   const Task task{scene, data_file, steps};
-  auto all = contenders(ranks);
+  auto all = contenders(ranks, only_disc_styles);
   race(all, task, repetitions);
   if (rank == 0) {
     print_table(all, task, repetitions);
-    compare_energies(task, 1000);
+    if (!only_disc_styles) compare_energies(task, 1000);
     std::remove(data_file.c_str());
   }
   wait_for_rank_0();

@@ -246,6 +246,27 @@ TEST_F(Launcher, AsksOnlyForTheConstantsOfTheChosenLaw) {
   EXPECT_EQ(code(mu + k_t + gamma_t, "tangential disc/cundall_strack tangential_damping on"), 0);
 }
 
+// One disc presses the right wall: half a period pi sqrt(m/k_n) of 1e-5 kg on 352.1 N/m is 5.294e-4 s, 26.47
+// steps of 2e-5 s; of 1e-7 kg it is 2.647 steps.
+TEST_F(Launcher, WarnsOfAWallThatSwingsWithinFewStepsAndStopsAtOneThatSwingsWithinFewerThanFour) {
+  const auto run_wall = [this](const char* mass, int ranks) {
+    return run_script(two_discs + normal_law +
+                          "fix integrate all nve/disc\nfix box all biaxial/2d type 1 left -0.03 fixed bottom "
+                          "-0.03 fixed top 0.03 fixed right 0.0249 stress 0.01 mass " +
+                          mass + " damping 0\nrun 0\n",
+                      ranks);
+  };
+  for (const int ranks : {1, 2}) {
+    const auto warned = run_wall("1e-5", ranks), stopped = run_wall("1e-7", ranks);
+    EXPECT_EQ(warned.code, 0) << warned.output;
+    EXPECT_GE(warned.lines_with("WARNING: biaxial/2d: right: half a period"), 1U) << warned.output;
+    EXPECT_GE(warned.lines_with("has 26.47"), 1U) << warned.output;
+    EXPECT_NE(stopped.code, 0);
+    EXPECT_EQ(stopped.lines_with("ERROR: biaxial/2d: right: half a period"), 1U) << stopped.output;
+    EXPECT_EQ(run_wall("1e-4", ranks).lines_with("half a period"), 0U);
+  }
+}
+
 TEST_F(Launcher, StopsAtDiscsWithTheSameCentreOnWhicheverRankTheyAre) {
   const std::string again =
       "create_atoms 1 single 0.02 0 0 units box\nset group all diameter 0.01 density 6\n";

@@ -186,6 +186,25 @@ TEST_P(OnRanks, HasTheNumbersOfDumpsToTheLastBit) {
   EXPECT_EQ(frames, dumped());
 }
 
+TEST_P(OnRanks, HasTheBoxBesideTheCell) {
+  run(scene +
+          "fix box free biaxial/2d type 1 left -0.05 fixed right 0.05 strain rate -2 bottom -0.05 fixed top "
+          "0.05 fixed\nfix s all snapshot/disc 20 file s.h5\nrun 40\n",
+      GetParam());
+  const Hdf5File file = Hdf5File::open(path("s.h5"));
+  std::vector<double> box(81), cell(27);
+  file.dataset("/walls/box/value").read<double>({{0, 0}, {3, 27}}, box);
+  file.dataset("/walls/cell/value").read<double>({{0, 0}, {3, 9}}, cell);
+  for (const std::size_t frame : {0, 1, 2}) {
+    const double* walls = &box[27 * frame];
+    EXPECT_EQ(walls[0], -0.05);
+    EXPECT_DOUBLE_EQ(walls[1], 0.05 - 2 * 20 * 2e-5 * static_cast<double>(frame));
+    EXPECT_EQ(walls[5], -2);
+    EXPECT_NEAR(walls[16], (walls[1] - 0.05) / 0.1, 1e-15);  // horizontal strain; rounding of 1 + strain
+    EXPECT_EQ(cell[9 * frame + 6], 0.045);
+  }
+}
+
 TEST_P(OnRanks, HasTheStateOfTheWallsAndWhatIsSimulated) {
   run(scene + "fix s all snapshot/disc 20 file s.h5 height 0.006\nrun 40\n", GetParam());
   const Hdf5File file = Hdf5File::open(path("s.h5"));

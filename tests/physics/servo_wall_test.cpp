@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 namespace mikromakro::physics {
 namespace {
@@ -87,6 +88,11 @@ TEST(ServoWall, PredictedVelocityIsThatOfAConstantForce) {
 // Discs push with 50 N, 20 N/m act on 3 m: -10 N, inwards is negative.
 TEST(ServoForce, IsWhatDiscsAndPressureLeave) {
   EXPECT_DOUBLE_EQ(servo_force(50, 20, 3), -10);
+}
+
+// m = 4 kg on K = 1 N/m: a period of 4 pi s.
+TEST(ServoWall, SwingsOnItsContactsWithinHalfAPeriodFromTurnToTurn) {
+  EXPECT_NEAR(servo_half_period(4.0, 1.0), 2 * std::numbers::pi, 1e-15);
 }
 
 }  // namespace
