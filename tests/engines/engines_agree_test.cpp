@@ -30,6 +30,10 @@ struct Law {
   double k_n;
 };
 
+void PrintTo(const Law& law, std::ostream* out) {
+  *out << law.name;
+}
+
 std::string constants(const Law& law, const Spelling& spelling) {
   if (std::string(spelling.density) == "density") {
     std::string lines;
