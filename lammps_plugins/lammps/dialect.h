@@ -33,7 +33,10 @@ class FixWithClock : public FixOfEngine {
     once_defined();
     return calls_wanted();
   }
-  void post_run() final { last_step_ = update->ntimestep; }
+  void post_run() final {
+    last_step_ = update->ntimestep;
+    run_ended();
+  }
 
  protected:
   FixWithClock(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) : FixOfEngine(engine, narg, arg) {
@@ -41,6 +44,7 @@ class FixWithClock : public FixOfEngine {
   }
   virtual int calls_wanted() const = 0;
   virtual void once_defined() {}
+  virtual void run_ended() {}
   virtual void count_steps_anew(LAMMPS_NS::bigint shift) = 0;
   /// Between two runs, before the fix uses the number of a step.
   void notice_new_count() {

@@ -28,6 +28,7 @@ class FixWithClock : public FixOfEngine {
  public:
   int setmask() final { return calls_wanted(); }
   void post_create() final { once_defined(); }
+  void post_run() final { run_ended(); }
   void reset_timestep(LAMMPS_NS::bigint newstep, LAMMPS_NS::bigint oldstep) final {
     count_steps_anew(newstep - oldstep);
   }
@@ -36,6 +37,7 @@ class FixWithClock : public FixOfEngine {
   using FixOfEngine::FixOfEngine;
   virtual int calls_wanted() const = 0;
   virtual void once_defined() {}
+  virtual void run_ended() {}
   virtual void count_steps_anew(LAMMPS_NS::bigint shift) = 0;
   /// The engine tells it at once.
   void notice_new_count() {}

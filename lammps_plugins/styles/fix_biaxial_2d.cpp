@@ -141,7 +141,7 @@ void FixBiaxial2d::final_integrate() {
 }
 
 // Contacts may have formed since the run began.
-void FixBiaxial2d::post_run() {
+void FixBiaxial2d::run_ended() {
   check_time_step();
 }
 

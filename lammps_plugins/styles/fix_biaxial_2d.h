@@ -51,7 +51,6 @@ class FixBiaxial2d : public FixWithClock, public WallContactSource {
   void initial_integrate(int vflag) override;
   void post_force(int vflag) override;
   void final_integrate() override;
-  void post_run() override;
   int modify_param(int narg, char** arg) override;
   void reset_dt() override;
   double compute_scalar() override;
@@ -79,6 +78,7 @@ class FixBiaxial2d : public FixWithClock, public WallContactSource {
  protected:
   int calls_wanted() const override;
   void once_defined() override;
+  void run_ended() override;
   void count_steps_anew(LAMMPS_NS::bigint shift) override;
 
  private:

@@ -6,9 +6,10 @@
 #include "atom.h"
 #include "comm.h"
 #include "disc_insertion.h"
+#include "disc_law.h"
+#include "engine_access.h"
 #include "error.h"
 #include "fix_biaxial_2d.h"
-#include "pair_gran_disc.h"
 #include "physics/contact_duration.h"
 #include "update.h"
 
@@ -74,7 +75,7 @@ void FixBiaxial2d::check_rectangle() const {
 }
 
 std::array<double, 4> FixBiaxial2d::stiffness_of_contacts() const {
-  const PairGranDisc& law = *active_disc_law(*lmp);
+  const DiscLaw& law = *active_disc_law(*lmp);
   const bool hertz = law.effects().normal == physics::Normal::hertz;
   const auto walls = smooth_walls();
   const auto kinds = walls_.kinds();

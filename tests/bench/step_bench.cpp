@@ -103,8 +103,8 @@ std::vector<Contender> contenders(int ranks, bool only_disc_styles) {
     all.push_back({"stand-alone loop", 1, run_reference});
     all.push_back(
         {"stock LIGGGHTS", 1, [](const Task& t) { return run_liggghts(t, Styles::stock, MPI_COMM_SELF); }});
-    all.push_back(
-        {"stock LAMMPS", 1, [](const Task& t) { return run_lammps(t, "lmp", lammps_stock_styles(t.scene)); }});
+    all.push_back({"stock LAMMPS", 1,
+                   [](const Task& t) { return run_lammps(t, "lmp", lammps_stock_styles(t.scene)); }});
 #ifdef LMP_DISC
     all.push_back({"disc styles in LAMMPS", 1,
                    [](const Task& t) { return run_lammps(t, LMP_DISC, lammps_disc_styles(t.scene)); }});
