@@ -1,0 +1,78 @@
+"""Profiles of a simulation over rings, from mikromakro, kept beside its snapshots."""
+import csv
+import io
+import json
+import os
+import subprocess
+
+import numpy as np
+
+MIKROMAKRO = os.path.join("build", "bin", "mikromakro")
+R_I, R_O, HEIGHT, OMEGA, K_N, MU = 0.1032, 0.2524, 0.006, 0.1, 352.1, 0.44
+# The mean diameter of the mixture of run B (m), for distances as the paper's Bild 12 gives them.
+DIAMETER = 2 * (2545 * 0.00371 + 394 * 0.004495) / (2545 + 394)
+
+
+def run(*arguments):
+    return subprocess.run([MIKROMAKRO, *arguments], check=True, capture_output=True, text=True).stdout
+
+
+def cached(path, make):
+    """The text at `path`, which `make` gives where it is not there yet."""
+    if not os.path.exists(path):
+        text = make()
+        with open(path + ".partial", "w") as file:
+            file.write(text)
+        os.replace(path + ".partial", path)
+    with open(path) as file:
+        return file.read()
+
+
+def table(text):
+    """Columns of a CSV of mikromakro by name."""
+    rows = list(csv.reader(line for line in io.StringIO(text) if not line.startswith("#")))
+    values = np.array(rows[1:], dtype=float)
+    return {name: values[:, k] for k, name in enumerate(rows[0])}
+
+
+def rings(simulation, count, weight="sliced"):
+    """All fields over `count` rings between the wheel and the outer ring, with standard errors."""
+    path = os.path.join(simulation.folder, f"rings_{count}_{weight.replace(':', '_')}.csv")
+    return table(cached(path, lambda: run("average", simulation.snapshots, "--rings", str(R_I), str(R_O), str(count), "--height",
+                                          str(HEIGHT), "--bulk-types", "1", "2", "--kn", str(K_N), "--mu", str(MU), "--fields", "all",
+                                          "--weight", weight, "--quiet")))
+
+
+def fit(simulation, count, omega=OMEGA):
+    """The exponential v_0 exp(-(r - R_i)/s) of v_phi (Bild 5), with its interval of 95 %."""
+    rings(simulation, count)
+    path = os.path.join(simulation.folder, f"fit_{count}.json")
+    rows = os.path.join(simulation.folder, f"rings_{count}_sliced.csv")
+    return json.loads(cached(path, lambda: run("fit", rows, "--ri", str(R_I), "--omega", str(omega), "--json")))
+
+
+def wheel(simulation, first_time=65.33):
+    """wheel.txt from `first_time` (s) on: step, torques (N m), pressures (Pa), angle, power, kinetic energy."""
+    rows = np.loadtxt(os.path.join(simulation.folder, "wheel.txt"))
+    return rows[rows[:, 0] * 4e-5 > first_time]
+
+
+def mean_and_error(values, blocks=10):
+    """Mean of a correlated series and its standard error from blocks."""
+    means = [block.mean() for block in np.array_split(values, blocks)]
+    return np.mean(values), np.std(means, ddof=1) / np.sqrt(blocks)
+
+
+def solid_fractions(simulation):
+    """Of the free discs, and with the halves of the wall discs that lie in the annulus, as the script prints them."""
+    with open(os.path.join(simulation.folder, "log.liggghts")) as log:
+        for line in log:
+            if line.startswith("solid fraction at R_o: free discs 0"):
+                words = line.replace(",", "").split()
+                return float(words[words.index("discs") + 1]), float(words[-1])
+    raise ValueError(f"{simulation.folder}: no solid fraction in the log")
+
+
+def from_wheel(columns):
+    """Distance from the circle of the wheel, mm."""
+    return 1e3 * (columns["r"] - R_I)

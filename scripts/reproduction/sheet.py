@@ -1,0 +1,46 @@
+"""What every figure shares: sheets of axes that can be printed in grey, and the files that go into docs/results."""
+import csv
+import os
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+RESULTS = os.path.join("docs", "results")
+plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "figure.constrained_layout.use": True, "svg.hashsalt": "mikromakro",
+                     "lines.linewidth": 1.2, "legend.fontsize": 8})
+MARKERS = "osD^v<>pXP*h"
+
+
+def shades(count):
+    """Colours from dark to light, in this order also in grey."""
+    return plt.cm.viridis(np.linspace(0, 0.88, count))
+
+
+def axes(columns=1, rows=1, width=5.4, height=3.9, **options):
+    figure, sheet = plt.subplots(rows, columns, figsize=(width * columns, height * rows), **options)
+    return figure, sheet
+
+
+def save_picture(figure, name):
+    """As PNG, which all browsers and printers show alike, and small."""
+    os.makedirs(RESULTS, exist_ok=True)
+    path = os.path.join(RESULTS, f"{name}.png")
+    figure.savefig(path, dpi=110, metadata={"Software": None})
+    plt.close(figure)
+    return path
+
+
+def save_numbers(name, columns, notes=()):
+    """A CSV of named columns, which may differ in length; `notes` come first as comments."""
+    os.makedirs(RESULTS, exist_ok=True)
+    with open(os.path.join(RESULTS, f"{name}.csv"), "w", newline="") as file:
+        for note in notes:
+            file.write(f"# {note}\n")
+        rows = csv.writer(file, lineterminator="\n")
+        rows.writerow(columns)
+        length = max(len(values) for values in columns.values())
+        for k in range(length):
+            rows.writerow([f"{values[k]:.6g}" if k < len(values) else "" for values in columns.values()])
