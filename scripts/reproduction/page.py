@@ -5,6 +5,7 @@ import os
 import numpy as np
 
 from reproduction import profiles
+from reproduction import fabric, pictures  # noqa: F401, they register their figures
 from reproduction.figures import FIGURES, LAW_NAMES, run_b
 from reproduction.profiles import HEIGHT, OMEGA, R_I, R_O, from_wheel
 from reproduction.sheet import RESULTS

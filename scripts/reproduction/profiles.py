@@ -43,6 +43,17 @@ def rings(simulation, count, weight="sliced"):
                                           "--weight", weight, "--quiet")))
 
 
+def box(simulation):
+    """All fields of a sample between four walls, over the whole of it."""
+    with open(os.path.join(simulation.folder, "log.liggghts")) as log:
+        walls = [line for line in log if line.startswith("walls at 0, ") and "$" not in line][-1].split()
+    right, top = walls[3], walls[6]
+    right = right.rstrip(",")
+    path = os.path.join(simulation.folder, "box.csv")
+    return table(cached(path, lambda: run("average", simulation.snapshots, "--box", "0", right, "0", top, "--weight", "centre", "--branch",
+                                          "radius", "--fields", "all", "--kn", "1e5", "--histogram", "36", "--quiet")))
+
+
 def fit(simulation, count, omega=OMEGA):
     """The exponential v_0 exp(-(r - R_i)/s) of v_phi (Bild 5), with its interval of 95 %."""
     rings(simulation, count)

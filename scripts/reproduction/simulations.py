@@ -12,17 +12,17 @@ import time
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 KEPT = os.path.join("out", "reproduce")
-TIME_STEP = 4.0e-5
 
 
 @dataclasses.dataclass(frozen=True)
 class Simulation:
-    """A run of an input script with some of its variables set; `steps` of the engine, for the progress."""
+    """A run of an input script with some of its variables set; `time_step` in s, `work` its length beside that of others."""
 
     name: str
     script: str
     variables: tuple
-    steps: float
+    time_step: float
+    work: float
 
     @property
     def folder(self):
@@ -65,23 +65,22 @@ class Simulation:
         shutil.rmtree(self.folder, ignore_errors=True)
         os.rename(partial, self.folder)
 
-    @staticmethod
-    def pack(folder):
+    def pack(self, folder):
         """Text dumps into one HDF5 file."""
         dumps = {kind: os.path.join(folder, f"{kind}_*.txt") for kind in ("particles", "contacts")}
         subprocess.run([os.path.join("build", "bin", "mikromakro"), "convert", "--particles", dumps["particles"], "--contacts",
-                        dumps["contacts"], "--timestep", str(TIME_STEP), "--quiet", "--out", os.path.join(folder, "snapshots.h5")],
+                        dumps["contacts"], "--timestep", str(self.time_step), "--quiet", "--out", os.path.join(folder, "snapshots.h5")],
                        check=True)
         for pattern in dumps.values():
             for file in glob.glob(pattern):
                 os.remove(file)
 
-    def steps_done(self):
-        """The last step in wheel.txt of the run under way."""
+    def share_done(self):
+        """Of a run under way, by the last step in wheel.txt; 0 where there is none."""
         try:
             with open(os.path.join(self.folder + ".partial", "wheel.txt"), "rb") as file:
                 file.seek(-min(1000, os.fstat(file.fileno()).st_size), os.SEEK_END)
-                return float(file.read().split(b"\n")[-2].split()[0])
+                return float(file.read().split(b"\n")[-2].split()[0]) / self.work
         except (OSError, IndexError, ValueError):
             return 0.0
 
@@ -91,7 +90,7 @@ class Progress:
 
     def __init__(self, simulations):
         self.waiting = list(simulations)
-        self.steps = sum(one.steps for one in simulations)
+        self.work = sum(one.work for one in simulations)
         self.running, self.done, self.began = [], 0.0, time.monotonic()
         self.lock = threading.Lock()
 
@@ -103,17 +102,17 @@ class Progress:
         with self.lock:
             self.running.remove(one)
             self.waiting.remove(one)
-            self.done += one.steps
+            self.done += one.work
         print(f"\r{one.name}: done, {len(self.waiting)} to go{self.remaining()}", file=sys.stderr)
 
     def remaining(self):
         with self.lock:
-            share = (self.done + sum(one.steps_done() for one in self.running)) / self.steps
+            share = (self.done + sum(one.share_done() * one.work for one in self.running)) / self.work
         passed = time.monotonic() - self.began
         return f", about {passed * (1 / share - 1) / 60:.0f} min" if share > 0.01 else ""
 
     def show(self):
-        names = ", ".join(f"{one.name} {one.steps_done() / one.steps:.0%}" for one in self.running)
+        names = ", ".join(f"{one.name} {one.share_done():.0%}" for one in self.running)
         print(f"\r{names}{self.remaining()}\033[K", end="", file=sys.stderr)
 
 
@@ -151,6 +150,15 @@ def couette(small, large, law, seed=1, **others):
     variables = {"run": "A", "n_small": small, "n_large": large, "law": law, "seed": seed, **others}
     more = "".join(f"_{name}{value}" for name, value in others.items())
     times = {"compact_time": 2.0, "relax_time": 0.5, "discard_time": 62.83, "measure_time": 60.0}
+    time_step = 4.0e-5
     seconds = sum(float(others.get(name, default)) for name, default in times.items())
     return Simulation(f"couette_{small}+{large}_{law}_seed{seed}{more}", os.path.join("inputs", "couette", "in.couette"),
-                      tuple(variables.items()), seconds / TIME_STEP)
+                      tuple(variables.items()), time_step, seconds / time_step)
+
+
+def isotropic(sizes, a_small, a_large, pressure=200, mu=0.5, discs=600, seed=1):
+    """Discs of two radii or of all between them (m), compressed by a pressure (N/m) until they rest."""
+    variables = {"n": discs, "sizes": sizes, "a_small": a_small, "a_large": a_large, "p": pressure, "mu": mu, "seed": seed}
+    name = f"isotropic_{sizes}_{1e3 * a_small:g}_{1e3 * a_large:g}_p{pressure}_mu{mu}_n{discs}_seed{seed}"
+    # A step of 600 discs costs a sixth of one of the shear cell.
+    return Simulation(name, os.path.join("inputs", "biaxial", "in.bidisperse"), tuple(variables.items()), 1.7e-7, 0.4 / 1.7e-7 / 6)

@@ -1,5 +1,5 @@
 """Which simulations the figures need."""
-from reproduction.simulations import couette
+from reproduction.simulations import couette, isotropic
 
 LAWS = ("viscous", "cundall_strack")
 # Small and large discs: from below the density at which the wheel loses its contacts to above that at which the cell freezes.
@@ -16,3 +16,22 @@ def named_runs(law):
 
 def densities(law):
     return [couette(*numbers, law) for numbers in DENSITIES]
+
+
+# Bild 6: eight uniform distributions of radii (mm), half the width over the mean, and three of two sizes.
+WIDTHS = (0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5)
+RATIOS = (1.5, 2, 3)
+
+
+def size_distributions():
+    """Name and samples of each distribution, from loose to dense: friction and pressure change the number of contacts."""
+    states = ((0.5, 20), (0.5, 200), (0.5, 1000), (0.0, 20), (0.0, 200), (0.0, 1000))
+    for width in WIDTHS:
+        small, large = round(1e-3 * (1 - width), 7), round(1e-3 * (1 + width), 7)
+        yield f"$\\pm${100 * width:g} %", [isotropic("uniform", small, large, p, mu) for mu, p in states]
+    for ratio in RATIOS:
+        yield f"1:{ratio:g}", [isotropic("bidisperse", 0.0005, round(0.0005 * ratio, 7), p, mu) for mu, p in states]
+
+
+def bidisperse():
+    return isotropic("bidisperse", 0.0005, 0.0015)
