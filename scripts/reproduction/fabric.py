@@ -46,7 +46,8 @@ def bild6():
 def draw_directions(axes, columns):
     bins = 36
     counted = np.array([columns[f"contact_angle_bin_{k + 1}"][0] for k in range(bins)])
-    middle = (np.arange(bins) + 0.5) * 2 * np.pi / bins
+    # From -180 degrees on.
+    middle = (np.arange(bins) + 0.5) * 2 * np.pi / bins - np.pi
     density = counted / counted.sum() * bins
     axes.bar(middle, density, width=2 * np.pi / bins, color="0.85", edgecolor="0.6", lw=0.3)
     angle = np.linspace(0, 2 * np.pi, 361)

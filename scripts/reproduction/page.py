@@ -5,7 +5,7 @@ import os
 import numpy as np
 
 from reproduction import profiles
-from reproduction import fabric, pictures  # noqa: F401, they register their figures
+from reproduction import fabric, pictures, regimes  # noqa: F401, they register their figures
 from reproduction.figures import FIGURES, LAW_NAMES, run_b
 from reproduction.profiles import HEIGHT, OMEGA, R_I, R_O, from_wheel
 from reproduction.sheet import RESULTS
@@ -96,10 +96,16 @@ def captions():
         return {}
 
 
+def place(name):
+    """The paper's figures by their numbers, then the others."""
+    number = name.removeprefix("bild")
+    return (int(number) if number.isdigit() else 100, name)
+
+
 def keep_caption(name, caption):
     kept = captions() | {name: caption}
     with open(KEPT, "w") as file:
-        json.dump({key: kept[key] for key in FIGURES if key in kept}, file, indent=1, ensure_ascii=False)
+        json.dump({key: kept[key] for key in sorted(kept, key=place)}, file, indent=1, ensure_ascii=False)
         file.write("\n")
 
 

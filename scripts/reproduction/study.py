@@ -18,6 +18,19 @@ def densities(law):
     return [couette(*numbers, law) for numbers in DENSITIES]
 
 
+# Distances of the wall discs (m): touching; the default; and what other readings of the paper's densities give.
+PITCHES = (0.0025, 0.004, 0.0053, 0.0071)
+
+
+def pitches():
+    return [couette(*RUNS["B"], "viscous", **({} if pitch == 0.0053 else {"pitch": pitch})) for pitch in PITCHES]
+
+
+def slow_run():
+    """Run B at a fifth of the rate, over the same angles."""
+    return couette(*RUNS["B"], "viscous", omega=0.02, discard_time=314.16, measure_time=300, snap_time=2.5)
+
+
 # Bild 6: eight uniform distributions of radii (mm), half the width over the mean, and three of two sizes.
 WIDTHS = (0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5)
 RATIOS = (1.5, 2, 3)

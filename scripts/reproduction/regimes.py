@@ -1,0 +1,91 @@
+"""The regimes of section 2.4, the wall that the paper does not print, and how quasi-static the shear is."""
+import numpy as np
+
+from reproduction import profiles, sheet
+from reproduction.figures import FROM_WHEEL, LAW_NAMES, figure, run_b
+from reproduction.profiles import OMEGA, from_wheel
+from reproduction.study import LAWS, PITCHES, densities, pitches, slow_run
+
+
+def states(law):
+    """Density with half wall discs, pressure on the wheel with its error (Pa), and v0 of each density of a law."""
+    rows = []
+    for run in densities(law):
+        pressure, error = profiles.mean_and_error(profiles.wheel(run)[:, 3])
+        rows.append((profiles.solid_fractions(run)[1], pressure, error, profiles.fit(run, 60)["v0_scaled"]))
+    return np.array(rows).T
+
+
+def between(nu, values, level):
+    """Where a quantity passes a level: the middle of the two densities between which it does, and half their distance."""
+    above = np.array(values) > level
+    k = np.flatnonzero(above[1:] != above[:-1])
+    if len(k) == 0:
+        return None
+    low, high = nu[k[0]], nu[k[0] + 1]
+    return 0.5 * (low + high), 0.5 * (high - low)
+
+
+def thresholds(law):
+    """Below the first the wheel has lost its contacts (less than 1 % of the pressure of run B), above the second v0 is below half of run B's."""
+    nu, pressure, _, v0 = states(law)
+    b = int(np.argmin(np.abs(nu - profiles.solid_fractions(run_b(law))[1])))
+    return between(nu, pressure, 0.01 * pressure[b]), between(nu[b:], v0[b:], 0.5 * v0[b])
+
+
+@figure("regimes", "The regimes of section 2.4", [run for law in LAWS for run in densities(law)])
+def regimes():
+    drawing, (left, right) = sheet.axes(columns=2)
+    kept, found = {}, []
+    for law, marker, face in zip(LAWS, "os", ("k", "w")):
+        nu, pressure, error, v0 = states(law)
+        left.errorbar(nu, pressure, error, fmt=marker + "-", color="k", mfc=face, ms=5, lw=0.8, label=LAW_NAMES[law])
+        right.plot(nu, v0, marker + "-", color="k", mfc=face, ms=5, lw=0.8, label=LAW_NAMES[law])
+        kept |= {f"nu_{law}": nu, f"wheel_pressure_Pa_{law}": pressure, f"wheel_pressure_Pa_{law}_err": error, f"v0_scaled_{law}": v0}
+        words = [f"{middle:.4f} ± {half:.4f}" if middle else "outside of these densities" for middle, half in (one or (None, None) for one in thresholds(law))]
+        found.append(f"{LAW_NAMES[law]}: stress-free below {words[0]}, frozen above {words[1]}")
+    left.set(xlabel="$\\bar\\nu$ with half of the wall discs", ylabel="pressure on the wheel (Pa)", yscale="log")
+    right.set(xlabel="$\\bar\\nu$ with half of the wall discs", ylabel="$v_0/(\\Omega R_i)$ of the exponential", ylim=(0, None))
+    left.legend()
+    sheet.save_picture(drawing, "regimes")
+    sheet.save_numbers("regimes", kept, ["means over 60 s; errors of blocks of 6 s"])
+    return ("Pressure on the wheel and v_0 over the density of the cell. Thresholds (middle and half of the distance of the two densities around it; "
+            "a hundredth of run B's pressure, half of run B's v_0): " + "; ".join(found) + ".")
+
+
+@figure("pitch", "Which wall?", pitches())
+def pitch():
+    drawing, (left, right) = sheet.axes(columns=2)
+    kept, found = {}, []
+    for k, (distance, run) in enumerate(zip(PITCHES, pitches())):
+        columns, fit = profiles.rings(run, 60), profiles.fit(run, 60)
+        style = {"color": sheet.shades(4)[k], "marker": sheet.MARKERS[k], "ms": 3, "lw": 0.8, "label": f"{1e3 * distance:g} mm"}
+        left.semilogy(from_wheel(columns), columns["v_phi"] / (OMEGA * columns["r"]), **style)
+        right.plot(from_wheel(columns), columns["omega_excess"], **style)
+        kept |= {"r_m": columns["r"], f"v_phi_{1e3 * distance:g}mm": columns["v_phi"], f"omega_excess_{1e3 * distance:g}mm": columns["omega_excess"]}
+        found.append(f"{1e3 * distance:g} mm: {fit['v0_scaled']:.3f}, {1e3 * fit['s']:.1f} mm")
+    left.set(xlabel=FROM_WHEEL, ylabel="$v_\\phi/(\\Omega r)$", ylim=(1e-4, 2))
+    right.set(xlabel=FROM_WHEEL, ylabel="$\\omega^*$ (1/s)", xlim=(0, 50))
+    left.legend(title="distance of wall discs")
+    sheet.save_picture(drawing, "pitch")
+    sheet.save_numbers("pitch", kept, ["run B, Eq. 1, 60 rings; SI units"])
+    return ("Run B under Eq. 1 with wall discs at four distances. v_0/(Omega R_i) and s of the exponential: " + "; ".join(found) + ". The paper has 0.645 and 12.7 mm.")
+
+
+@figure("slow", "How quasi-static is it?", [run_b(), slow_run()])
+def slow():
+    drawing, (left, right) = sheet.axes(columns=2)
+    kept, found = {}, []
+    for run, omega, marker, face in ((run_b(), OMEGA, "o", "k"), (slow_run(), 0.02, "s", "w")):
+        columns, fit = profiles.rings(run, 60), profiles.fit(run, 60, omega)
+        name = f"{omega:g} 1/s"
+        left.semilogy(from_wheel(columns), columns["v_phi"] / (omega * columns["r"]), marker, color="k", mfc=face, ms=4, label=name)
+        right.errorbar(from_wheel(columns), -columns["tr_sigma"], columns["tr_sigma_err"], fmt=marker, color="k", mfc=face, ms=4, lw=0.6, label=name)
+        kept |= {"r_m": columns["r"], f"v_scaled_{omega:g}": columns["v_phi"] / (omega * columns["r"]), f"tr_sigma_{omega:g}": columns["tr_sigma"]}
+        found.append(f"{name}: {fit['v0_scaled']:.3f}, {1e3 * fit['s']:.1f} mm")
+    left.set(xlabel=FROM_WHEEL, ylabel="$v_\\phi/(\\Omega r)$", ylim=(1e-4, 2))
+    right.set(xlabel=FROM_WHEEL, ylabel="-tr $\\sigma$ (Pa)", yscale="log")
+    left.legend(title="rate of the wheel")
+    sheet.save_picture(drawing, "slow")
+    sheet.save_numbers("slow", kept, ["run B, Eq. 1, 60 rings; SI units"])
+    return "Run B under Eq. 1 at the paper's rate and at a fifth of it, over the same angles. v_0/(Omega R_i) and s: " + "; ".join(found) + "."
