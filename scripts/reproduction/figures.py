@@ -200,7 +200,7 @@ def angles():
         for name, tensor, marker, colour in (("$\\sigma$", "sigma", "o", "k"), ("$\\epsilon$", "eps", "s", "0.45"), ("F", "F", "^", "0.7")):
             one.errorbar(from_wheel(columns), columns[f"angle_{tensor}"], columns[f"angle_{tensor}_err"], fmt=marker, color=colour, ms=3, lw=0.6, label=name)
             kept |= {f"angle_{tensor}_{law}": columns[f"angle_{tensor}"], f"angle_{tensor}_{law}_err": columns[f"angle_{tensor}_err"]}
-        one.set(xlabel=FROM_WHEEL, ylabel="major axis from $e_r$ (degrees)", title=f"run B, {LAW_NAMES[law]}", ylim=(-90, 90))
+        one.set(xlabel=FROM_WHEEL, ylabel="major axis from $e_r$ (degrees)", title=f"run B, {LAW_NAMES[law]}", ylim=(0, 95))
     sheets[0].legend()
     sheet.save_picture(drawing, "angles")
     sheet.save_numbers("angles", kept, ["degrees, counter-clockwise from e_r; 60 rings"])
