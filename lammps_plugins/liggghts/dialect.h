@@ -46,6 +46,9 @@ class FixWithClock : public FixOfEngine {
 using ComputeOfEngine = LAMMPS_NS::Compute;
 
 class CommandOfEngine : protected LAMMPS_NS::Pointers {
+ public:
+  virtual void command(int narg, char** arg) = 0;
+
  protected:
   using Pointers::Pointers;
 };

@@ -17,7 +17,7 @@ namespace mikromakro::styles {
 class CreateDiscs : public CommandOfEngine {
  public:
   explicit CreateDiscs(LAMMPS_NS::LAMMPS* lmp) : CommandOfEngine(lmp) {}
-  void command(int narg, char** arg);
+  void command(int narg, char** arg) override;
 };
 
 }  // namespace mikromakro::styles

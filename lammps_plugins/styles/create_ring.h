@@ -12,7 +12,7 @@ namespace mikromakro::styles {
 class CreateRing : public CommandOfEngine {
  public:
   explicit CreateRing(LAMMPS_NS::LAMMPS* lmp) : CommandOfEngine(lmp) {}
-  void command(int narg, char** arg);
+  void command(int narg, char** arg) override;
 };
 
 }  // namespace mikromakro::styles
