@@ -66,7 +66,8 @@ def averaging():
     from reproduction import profiles
     from reproduction.profiles import from_wheel
 
-    fields = ("nu", "v_phi", "spin", "tr_F", "tr_sigma", "dev_sigma", "tr_eps", "omega_excess")
+    fields = {"nu": "solid fraction", "v_phi": "$v_\\phi$ (m/s)", "spin": "spin (1/s)", "tr_F": "tr F", "tr_sigma": "tr $\\sigma$ (Pa)",
+              "dev_sigma": "dev $\\sigma$ (Pa)", "tr_eps": "tr $\\epsilon$", "omega_excess": "$\\omega^*$ (1/s)"}
     weights = (("sliced", "k", "-"), ("centre", "C1", "-"), ("gauss:0.00371", "C0", "--"), ("lucy:0.0074", "C2", ":"))
     drawing, sheets = sheet.axes(columns=4, rows=2, width=3.5, height=2.9)
     kept = {}
@@ -81,7 +82,7 @@ def averaging():
             axes.plot(from_wheel(columns), columns[name], marker, color="k", ms=3, mfc="none", label=f"sliced, {count} rings")
         shown = [c[name][from_wheel(c) < 60] for c in (profiles.rings(run_b(), 150, weight) for weight, _, _ in weights)]
         low, high = np.nanmin(shown), np.nanmax(shown)
-        axes.set(title=name, xlabel=FROM_WHEEL_SHORT, xlim=(0, 60), ylim=(low - 0.05 * (high - low), high + 0.05 * (high - low)))
+        axes.set(title=fields[name], xlabel=FROM_WHEEL_SHORT, xlim=(0, 60), ylim=(low - 0.05 * (high - low), high + 0.05 * (high - low)))
     sheets.flat[0].legend(fontsize=6)
     sheet.save_picture(drawing, "averaging")
     sheet.save_numbers("averaging", kept, ["run B, Eq. 1; 150 rings; SI units"])
