@@ -57,7 +57,7 @@ Rectangle wall_rectangle(const Frame& frame) {
                       fmt::format("none with {}", -1 - static_cast<int>(wall)));
     sums[wall] /= counts[wall];
   }
-  const Rectangle box{{sums[0], sums[2]}, {sums[1], sums[3]}};
+  Rectangle box{{sums[0], sums[2]}, {sums[1], sums[3]}};
   if (!(box.size().array() > 0).all())
     throw bad_input({"--box"}, fmt::format("the walls of step {} are not in order", frame.step),
                     "left < right, bottom < top",

@@ -171,8 +171,10 @@ TEST(CellBalance, DivergenceOfLinearStresses) {
     table.columns.push_back({name, "", "", ""});
   table.rows.resize(12, 12);
   for (int cell = 0; cell < 12; ++cell) {
-    const double x = 0.5 * (cell % 4);
-    const double y = 0.25 * (cell / 4);
+    const int column = cell % 4;
+    const int row = cell / 4;
+    const double x = 0.5 * column;
+    const double y = 0.25 * row;
     table.rows.row(cell) << x - 0.25, x + 0.25, y - 0.125, y + 0.125, x, y, 3 * x + 5 * y - 7, 2 * x - y,
         x + y, 4 * y - 9, -1.5, -4.75;
   }
