@@ -9,6 +9,7 @@ from reproduction.simulations import couette
 from reproduction.study import LAWS, RUNS, densities, named_runs
 
 LAW_NAMES = {"viscous": "Eq. 1", "cundall_strack": "spring"}
+DENSITY = "$\\bar\\nu$ with half\nwall discs"
 FROM_WHEEL = "distance from the wheel $r - R_i$ (mm)"
 
 
@@ -40,6 +41,10 @@ def run_b(law="viscous"):
     return couette(*RUNS["B"], law)
 
 
+def legend_beside(one):
+    one.legend(title=DENSITY, loc="upper left", bbox_to_anchor=(1.01, 1))
+
+
 def over_densities(name, law, draw_one, panels, numbers):
     """A row of panels with a line for each density of a law; `draw_one` draws it, `numbers` name the columns that are kept."""
     drawing, sheets = sheet.axes(columns=panels)
@@ -54,8 +59,8 @@ def over_densities(name, law, draw_one, panels, numbers):
             kept[f"{column}_nu{label(run)}"] = columns[column]
             kept[f"{column}_nu{label(run)}_err"] = columns[f"{column}_err"]
     for one in np.atleast_1d(sheets):
-        one.set_xlabel(FROM_WHEEL)
-    np.atleast_1d(sheets)[-1].legend(title="$\\bar\\nu$ with half wall discs", ncols=2)
+        one.set_xlabel(one.get_xlabel() or FROM_WHEEL)
+    legend_beside(np.atleast_1d(sheets)[-1])
     sheet.save_picture(drawing, name)
     sheet.save_numbers(name, kept, [f"law {LAW_NAMES[law]}, 60 rings; SI units; standard errors from blocks of frames"])
 
@@ -116,8 +121,8 @@ def bild5():
 def stress_like(name, tensor, unit, sign):
     def draw_one(sheets, columns, style):
         trace = columns[f"{tensor}_rr"] + columns[f"{tensor}_phiphi"]
-        sheets[0].plot(from_wheel(columns), sign * trace, **style)
-        sheets[1].plot(from_wheel(columns), columns[f"dev_{tensor}"], **style)
+        sheets[0].semilogy(from_wheel(columns), sign * trace, **style)
+        sheets[1].semilogy(from_wheel(columns), columns[f"dev_{tensor}"], **style)
         sheets[0].set_ylabel(f"{'-' if sign < 0 else ''}tr ${unit[0]}${unit[1]}")
         sheets[1].set_ylabel(f"dev ${unit[0]}${unit[1]}")
 
@@ -149,7 +154,7 @@ def over_fabric(name, column, ylabel, scale, limit):
             kept |= {f"trF_{law}_nu{label(run)}": fabric, f"{column}_{law}_nu{label(run)}": scaled}
         one.plot([0, 4.5], [0, 4.5], "k--", lw=0.8, label="slope 1")
         one.set(xlabel="tr F", ylabel=ylabel, title=LAW_NAMES[law], ylim=(0, limit), xlim=(0, 4.2))
-    sheets[1].legend(ncols=2)
+    legend_beside(sheets[1])
     sheet.save_picture(drawing, name)
     sheet.save_numbers(name, kept, [f"{ylabel}; 150 rings"])
 
@@ -184,7 +189,7 @@ def bild11():
 def bild12():
     def draw_one(sheets, columns, style):
         sheets[0].semilogy((columns["r"] - R_I) / DIAMETER, columns["mu_c"] * HEIGHT / K_N, **style)
-        sheets[0].set(ylabel="$\\mu_c h/k_n$")
+        sheets[0].set(ylabel="$\\mu_c h/k_n$", xlabel="$(r - R_i)/d$, $d$ = 7.63 mm")
 
     over_densities("bild12", "cundall_strack", draw_one, 1, ["mu_c"])
     return ("Rotational stiffness over the distance from the wheel for each density, law with a spring, in units of k_n/h.")

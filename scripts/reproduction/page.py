@@ -9,9 +9,9 @@ from reproduction import fabric, pictures, regimes  # noqa: F401, they register 
 from reproduction.figures import FIGURES, LAW_NAMES, run_b
 from reproduction.profiles import HEIGHT, OMEGA, R_I, R_O, from_wheel
 from reproduction.sheet import RESULTS
-from reproduction.study import LAWS, densities, named_runs
+from reproduction.simulations import couette
+from reproduction.study import LAWS, RUNS, SEEDS, densities
 
-SIMULATIONS = [run for law in LAWS for run in (*densities(law), *named_runs(law))]
 KEPT = os.path.join(RESULTS, "captions.json")
 TABLE = os.path.join(RESULTS, "table.md")
 
@@ -22,7 +22,11 @@ def over_seeds(values):
 
 
 def runs_b(law):
-    return [run for run in named_runs(law) if "2545+394" in run.name]
+    """Run B with all its seeds."""
+    return [couette(*RUNS["B"], law, seed) for seed in SEEDS]
+
+
+SIMULATIONS = [run for law in LAWS for run in (*densities(law), *runs_b(law))]
 
 
 def row(quantity, paper, ours, error, remark, digits=3):
