@@ -176,9 +176,10 @@ void print_table(const std::vector<Contender>& all, const Task& task, int repeti
     fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.2f} |\n", c.name, c.ranks, c.median(), c.least(),
                c.most(), c.median() / all.front().median());
   }
-  fmt::print("\nOn one rank, LIGGGHTS: stock over ours {:.2f}; LAMMPS: stock over ours {:.2f}.\n",
-             median_of(all, "stock LIGGGHTS") / median_of(all, "disc styles"),
-             median_of(all, "stock LAMMPS") / median_of(all, "disc styles in LAMMPS"));
+  const double liggghts = median_of(all, "stock LIGGGHTS") / median_of(all, "disc styles");
+  const double lammps = median_of(all, "stock LAMMPS") / median_of(all, "disc styles in LAMMPS");
+  if (!std::isnan(liggghts)) fmt::print("\nOn one rank, LIGGGHTS: stock over ours {:.2f}.\n", liggghts);
+  if (!std::isnan(lammps)) fmt::print("On one rank, LAMMPS: stock over ours {:.2f}.\n", lammps);
 }
 
 int run(int argc, char** argv) {
