@@ -42,9 +42,9 @@ class PackedNumbers {
   void append(std::shared_ptr<const PackedChunk> chunk, std::size_t begin, std::size_t count);
 
   std::size_t size() const { return size_; }
-  /// Throws where the chunk is damaged.
-  void unpack(std::span<double> numbers) const;
-  void unpack(std::span<std::int64_t> numbers) const;
+  /// The numbers from number `first` on. Throws where the chunk is damaged.
+  void unpack(std::size_t first, std::span<double> numbers) const;
+  void unpack(std::size_t first, std::span<std::int64_t> numbers) const;
 
  private:
   struct Piece {
@@ -52,7 +52,7 @@ class PackedNumbers {
     std::size_t begin, count;
   };
   template <typename Number>
-  void unpack_as(std::span<Number> numbers) const;
+  void unpack_as(std::size_t first, std::span<Number> numbers) const;
 
   Kind kind_;
   std::vector<Piece> pieces_;

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <Eigen/Core>
+#include <functional>
+#include <span>
 
 #include "io/chunk_reader.h"
 #include "io/particle_reader.h"
@@ -36,15 +39,46 @@ std::string contact_path(std::size_t slot) {
   return snapshot::contacts + std::string(contact_column_names[slot]);
 }
 
-void check_finite(double number, const Place& place) {
-  if (!std::isfinite(number))
-    throw bad_input(place, "not a finite number", "a finite number", fmt::format("{}", number));
+// Rows are filled by blocks that stay in the processor's cache.
+constexpr std::size_t rows_of_block = 256;
+
+// Numbers of a dataset that lie side by side in the rows, from slot `first` on.
+struct Stripe {
+  const PackedNumbers* numbers;
+  std::size_t first, width;
+};
+
+ParticleSlots& slots_of(ParticleSlots& row) {
+  return row;
 }
 
-template <typename Slots>
-void check_row(const Slots& slots, ColumnSet given, const Place& place) {
-  for (std::size_t slot = 0; slot < slots.size(); ++slot)
-    if ((given >> slot & 1U) != 0) check_finite(slots[slot], place);
+auto& slots_of(ContactRow& row) {
+  return row.value;
+}
+
+void check_finite(std::span<const double> numbers, const std::function<Place(std::size_t)>& place_of) {
+  const Eigen::Map<const Eigen::ArrayXd> all(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+  if ((0 * all).sum() == 0) return;  // one sweep in vectors
+  const auto bad = std::find_if(numbers.begin(), numbers.end(), [](double x) { return !std::isfinite(x); });
+  throw bad_input(place_of(static_cast<std::size_t>(bad - numbers.begin())), "not a finite number",
+                  "a finite number", fmt::format("{}", *bad));
+}
+
+// The rows from row `begin` of the frame on. Throws where a number is not finite.
+template <typename Rows>
+void fill_block(const std::vector<Stripe>& stripes, std::size_t begin, Rows&& block,
+                const std::string& file) {
+  std::vector<double> numbers;
+  for (const auto& [packed, first, width] : stripes) {
+    numbers.resize(block.size() * width);
+    packed->unpack(begin * width, numbers);
+    check_finite(numbers, [&, width = width](std::size_t number) {
+      return Place{file, static_cast<std::int64_t>(begin + number / width) + 1};
+    });
+    for (std::size_t axis = 0; axis < width; ++axis)
+      for (std::size_t i = 0; i < block.size(); ++i)
+        slots_of(block[i])[first + axis] = numbers[i * width + axis];
+  }
 }
 
 }  // namespace
@@ -107,7 +141,7 @@ struct Boxes {
     std::vector<double> numbers(2 * summary.steps.size());
     file.dataset("/particles/discs/box/" + name + "/value")
         .read<double>({{0, 0}, {summary.steps.size(), 2}}, numbers);
-    for (const double number : numbers) check_finite(number, {name});
+    check_finite(numbers, [&](std::size_t) { return Place{name}; });
     return numbers;
   }
 
@@ -227,35 +261,34 @@ void SnapshotReader::Packed::unpack(RawFrame& frame) const {
 
 void SnapshotReader::Packed::unpack_particles(RawFrame& frame) const {
   std::vector<std::int64_t> ids(elements.front().size());
-  elements.front().unpack(ids);
+  elements.front().unpack(0, ids);
   const auto count =
       static_cast<std::size_t>(std::find(ids.begin(), ids.end(), snapshot::no_id) - ids.begin());
-  std::vector<ParticleSlots> slots(count);
-  for (auto& slot : slots) slot.fill(not_given);
-  std::vector<double> numbers;
+  std::vector<Stripe> stripes;
   for (std::size_t i = 0; i < std::size(snapshot::elements); ++i) {
     const auto& element = snapshot::elements[i];
     if ((element.columns() & ~particles_given) != 0) continue;
-    numbers.resize(elements[i].size());
-    elements[i].unpack(numbers);
     const auto width = static_cast<std::size_t>(element.width);
-    if (numbers.size() < count * width)
+    if (elements[i].size() < count * width)
       throw bad_input({place}, fmt::format("{} is not there for all discs", element.name),
-                      fmt::format("{} discs", count), fmt::format("{}", numbers.size() / width));
-    const auto first = static_cast<std::size_t>(element.first);
-    for (std::size_t disc = 0; disc < count; ++disc)
-      for (std::size_t axis = 0; axis < width; ++axis)
-        slots[disc][first + axis] = numbers[disc * width + axis];
+                      fmt::format("{} discs", count), fmt::format("{}", elements[i].size() / width));
+    stripes.push_back({&elements[i], static_cast<std::size_t>(element.first), width});
   }
   frame.particle_file = place;
   frame.first_particle_line = 1;
   frame.particles_given = particles_given;
   frame.particles.clear();
   frame.particles.reserve(count);
-  for (std::size_t disc = 0; disc < count; ++disc) {
-    const Place row{place, static_cast<std::int64_t>(disc) + 1};
-    check_row(slots[disc], particles_given, row);
-    frame.particles.push_back(particle_of(slots[disc], particles_given, row));
+  ParticleSlots empty;
+  empty.fill(not_given);
+  std::vector<ParticleSlots> block;
+  for (std::size_t begin = 0; begin < count; begin += block.size()) {
+    block.assign(std::min(rows_of_block, count - begin), empty);
+    fill_block(stripes, begin, block, place);
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const Place row{place, static_cast<std::int64_t>(begin + i) + 1};
+      frame.particles.push_back(particle_of(block[i], particles_given, row));
+    }
   }
 }
 
@@ -264,18 +297,18 @@ void SnapshotReader::Packed::unpack_contacts(ContactRows& rows) const {
   rows.first_line = 1;
   rows.given = contacts_given;
   rows.needed = contacts_needed;
+  std::vector<Stripe> stripes;
+  for (std::size_t slot = 0; slot < columns.size(); ++slot)
+    if ((contacts_given >> slot & 1U) != 0) stripes.push_back({&columns[slot], slot, 1});
+  const std::size_t count = columns.front().size();
   ContactRow empty{};
   empty.value.fill(not_given);
-  rows.rows.assign(columns.front().size(), empty);
-  std::vector<double> numbers(rows.rows.size());
-  for (std::size_t slot = 0; slot < columns.size(); ++slot) {
-    if ((contacts_given >> slot & 1U) == 0) continue;
-    columns[slot].unpack(numbers);
-    for (std::size_t i = 0; i < numbers.size(); ++i) rows.rows[i].value[slot] = numbers[i];
-  }
-  for (std::size_t i = 0; i < rows.rows.size(); ++i) {
-    check_row(rows.rows[i].value, contacts_given, rows.place(i));
-    check_contact_row(rows.rows[i], contacts_given, false, rows.place(i));
+  rows.rows.assign(count, empty);
+  for (std::size_t begin = 0; begin < count; begin += rows_of_block) {
+    const auto block = std::span(rows.rows).subspan(begin).first(std::min(rows_of_block, count - begin));
+    fill_block(stripes, begin, block, place);
+    for (std::size_t i = 0; i < block.size(); ++i)
+      check_contact_row(block[i], contacts_given, false, rows.place(begin + i));
   }
 }
 
