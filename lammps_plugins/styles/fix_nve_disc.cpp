@@ -119,6 +119,7 @@ struct OpenStep {
   const double* spin_kicks;
   physics::DiscRow* discs;
   physics::DiscLoad* loads;
+  int ahead;  // so many discs before their turn rows are fetched from memory (0: they are in the cache)
 };
 
 /// The last half-kick of the step before, the first one of this step, and the velocity predicted for its
@@ -130,6 +131,11 @@ FOR_EACH_PROCESSOR double move_discs(const OpenStep& step) {
     const int i = step.members[k];
     auto& disc = step.discs[i];
     auto& load = step.loads[i];
+    if (step.ahead > 0) {
+      __builtin_prefetch(&disc + step.ahead, 1);
+      __builtin_prefetch(&load + step.ahead, 1);
+      __builtin_prefetch(&step.half_steps[i] + step.ahead, 1);
+    }
     const double radius = disc.radius(), kick = step.half_steps[i][3];
     const Four dv =
         Four{kick, kick, step.spin_kicks[i], 0} * Four{load.f_x(), load.f_y(), load.torque(radius), 0};
@@ -150,10 +156,14 @@ FOR_EACH_PROCESSOR double move_discs(const OpenStep& step) {
 void FixNveDisc::go_on() {
   if (!members_known_) find_members();
   static_assert(sizeof(HalfStep) == sizeof(Four));
-  const OpenStep step{members_.data(),      static_cast<int>(members_.size()),
-                      update->dt,           &half_steps_.data()->values,
-                      spin_kicks_.data(),   packed_->discs.data(),
-                      packed_->loads.data()};
+  const OpenStep step{members_.data(),
+                      static_cast<int>(members_.size()),
+                      update->dt,
+                      &half_steps_.data()->values,
+                      spin_kicks_.data(),
+                      packed_->discs.data(),
+                      packed_->loads.data(),
+                      packed_->exceed_cache() ? 16 : 0};
   packed_->furthest = std::max(packed_->furthest, std::sqrt(move_discs(step)) * step.dt);
   packed_->step = update->ntimestep;
 }

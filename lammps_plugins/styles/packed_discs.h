@@ -31,6 +31,9 @@ struct PackedDiscs {
   // Pairs are to be looked through for near ones in this step: all ranks do so together, for one that does it
   // alone keeps the others waiting.
   bool look_is_due = false;
+
+  /// Whether rows and loads had better be fetched from memory ahead of their use.
+  bool exceed_cache() const { return physics::rows_exceed_cache(discs.size()); }
 };
 
 /// Whether nothing but the pair style, fix nve/disc (the integrator) and fix couette/2d needs discs within a

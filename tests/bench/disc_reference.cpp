@@ -181,7 +181,8 @@ void DiscReference::build_pairs() {
 void DiscReference::find_near_pairs() {
   moved_ = 0;
   steps_of_near_ = 0;
-  near_.find(pairs_, discs_.data(), in_contact_, near_gap_);
+  near_.find(pairs_, discs_.data(), in_contact_, near_gap_,
+             physics::rows_exceed_cache(discs_.size()) ? ContactBatch::lanes : 0);
   for (int k = 0; k < near_.size(); ++k) {
     const int number = near_.number(k);
     near_.set_spring(k, in_contact_[number] != 0, springs_[number].xi, springs_[number].slip_rate);
@@ -208,8 +209,11 @@ void DiscReference::evaluate_contacts(double dt) {
   for (int first = 0; first < near_.size(); first += ContactBatch::lanes) {
     const int count = std::min(ContactBatch::lanes, near_.size() - first);
     const auto* pairs = near_.from(first);
-    physics::load_discs<effects>(c, discs_.data(), pairs, count);
+    const int ahead =
+        physics::rows_exceed_cache(discs_.size()) ? std::min(count, near_.size() - first - count) : 0;
     near_.load_springs(c, first, count);
+    near_.fetch_springs(first + count, ahead);
+    physics::load_discs<effects>(c, discs_.data(), pairs, count, loads_.data(), ahead);
     const auto state = physics::contact_geometry<effects>(c, count);
     physics::contact_slip(c, count, true, dt);
     if (state.any_changed) begin_and_end_contacts(first, count, dt);
