@@ -132,9 +132,10 @@ FOR_EACH_PROCESSOR double move_discs(const OpenStep& step) {
     auto& disc = step.discs[i];
     auto& load = step.loads[i];
     if (step.ahead > 0) {
-      __builtin_prefetch(&disc + step.ahead, 1);
-      __builtin_prefetch(&load + step.ahead, 1);
-      __builtin_prefetch(&step.half_steps[i] + step.ahead, 1);
+      const int later = step.members[std::min(k + step.ahead, step.count - 1)];
+      __builtin_prefetch(&step.discs[later], 1);
+      __builtin_prefetch(&step.loads[later], 1);
+      __builtin_prefetch(&step.half_steps[later], 1);
     }
     const double radius = disc.radius(), kick = step.half_steps[i][3];
     const Four dv =
