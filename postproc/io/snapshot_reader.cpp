@@ -65,8 +65,8 @@ void check_finite(std::span<const double> numbers, const std::function<Place(std
 }
 
 // The rows from row `begin` of the frame on. Throws where a number is not finite.
-template <typename Rows>
-void fill_block(const std::vector<Stripe>& stripes, std::size_t begin, Rows&& block,
+template <typename Row>
+void fill_block(const std::vector<Stripe>& stripes, std::size_t begin, std::span<Row> block,
                 const std::string& file) {
   std::vector<double> numbers;
   for (const auto& [packed, first, width] : stripes) {
@@ -284,7 +284,7 @@ void SnapshotReader::Packed::unpack_particles(RawFrame& frame) const {
   std::vector<ParticleSlots> block;
   for (std::size_t begin = 0; begin < count; begin += block.size()) {
     block.assign(std::min(rows_of_block, count - begin), empty);
-    fill_block(stripes, begin, block, place);
+    fill_block(stripes, begin, std::span(block), place);
     for (std::size_t i = 0; i < block.size(); ++i) {
       const Place row{place, static_cast<std::int64_t>(begin + i) + 1};
       frame.particles.push_back(particle_of(block[i], particles_given, row));

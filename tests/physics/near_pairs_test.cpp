@@ -46,6 +46,30 @@ TEST(NearPairs, KeepTheSpringsThatTheyAreGiven) {
   EXPECT_NE(batch.touched[0], 0);
 }
 
+/// Every number of lanes, and no lane beside them.
+TEST(NearPairs, GiveSpringsToTheLanesAndTakeThemBack) {
+  const std::vector<DiscPair> many(ContactBatch::lanes, {0, 1});
+  for (int count = 1; count <= ContactBatch::lanes; ++count) {
+    NearPairs near;
+    near.find(many, discs.data(), std::vector<char>(many.size(), 1), 0);
+    for (int k = 0; k < near.size(); ++k) near.set_spring(k, k % 3 == 0, 1 + k, -1 - k);
+    ContactBatch batch;
+    near.load_springs(batch, 0, count);
+    for (int k = 0; k < count; ++k) {
+      EXPECT_EQ(batch.xi[k], 1 + k);
+      EXPECT_EQ(batch.slip_rate[k], -1 - k);
+      EXPECT_EQ(batch.touched[k], k % 3 == 0 ? 1 : 0);
+      batch.xi[k] *= 2;
+      batch.slip_rate[k] *= 3;
+    }
+    near.store_springs(batch, 0, count);
+    for (int k = 0; k < near.size(); ++k) {
+      EXPECT_EQ(near.xi(k), k < count ? 2 * (1 + k) : 1 + k);
+      EXPECT_EQ(near.slip_rate(k), k < count ? -3 * (1 + k) : -1 - k);
+    }
+  }
+}
+
 /// The sum of the costs, as in the comment of near_gap(), is larger on either side of it.
 TEST(NearGap, CostsLeast) {
   const double path = 1e-6, skin = 8e-4;

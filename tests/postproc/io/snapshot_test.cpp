@@ -1,7 +1,9 @@
 // Frames through HDF5 snapshots and back.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 #include "io/frame_stream.h"
@@ -106,6 +108,86 @@ TEST(Snapshots, AFlippedBitIsAnError) {
   FrameStream stream(snapshots);
   Frame frame;
   EXPECT_THROW(while (stream.next(frame)){}, Error);
+}
+
+// More rows than are unpacked at a time: discs 1 to 700, contacts of each with the next.
+RawFrame long_frame() {
+  RawFrame raw;
+  raw.box = {{0, 0}, {800, 2}, {false, false}};
+  raw.particles_given =
+      column_set(ParticleColumn::id, ParticleColumn::x, ParticleColumn::y, ParticleColumn::radius);
+  for (int id = 1; id <= 700; ++id) {
+    Particle particle;
+    particle.id = id;
+    particle.position = {id, 1};
+    particle.radius = 0.5 + 1e-4 * id;
+    raw.particles.push_back(particle);
+  }
+  raw.with_contacts = true;
+  raw.contacts.given = column_set(ContactColumn::id1, ContactColumn::id2, ContactColumn::fn);
+  for (int id = 1; id < 700; ++id) {
+    ContactRow row{};
+    row.value.fill(not_given);
+    row.value[static_cast<std::size_t>(ContactColumn::id1)] = id;
+    row.value[static_cast<std::size_t>(ContactColumn::id2)] = id + 1;
+    row.value[static_cast<std::size_t>(ContactColumn::fn)] = 0.25 * id;
+    raw.contacts.rows.push_back(row);
+  }
+  return raw;
+}
+
+// The rows as they come back.
+RawFrame through_file(const RawFrame& raw, const std::string& name) {
+  SnapshotWriter writer(name, "test 1", 0);
+  writer.add(raw, raw.particles);
+  writer.close();
+  SnapshotReader reader({name}, {});
+  std::int64_t step = 0;
+  EXPECT_TRUE(reader.next(step));
+  RawFrame back;
+  reader.take()(back);
+  return back;
+}
+
+TEST(Snapshots, GiveBackEveryRowOfALongFrame) {
+  const Folder folder;
+  const RawFrame raw = long_frame();
+  const RawFrame back = through_file(raw, folder.path("s.h5"));
+  ASSERT_EQ(back.particles.size(), raw.particles.size());
+  for (std::size_t i = 0; i < raw.particles.size(); ++i) {
+    EXPECT_EQ(back.particles[i].id, raw.particles[i].id);
+    EXPECT_EQ(back.particles[i].position, raw.particles[i].position);
+    EXPECT_EQ(back.particles[i].radius, raw.particles[i].radius);
+  }
+  ASSERT_EQ(back.contacts.rows.size(), raw.contacts.rows.size());
+  for (std::size_t i = 0; i < raw.contacts.rows.size(); ++i)
+    for (const ContactColumn column : {ContactColumn::id1, ContactColumn::id2, ContactColumn::fn})
+      EXPECT_EQ(back.contacts.rows[i][column], raw.contacts.rows[i][column]);
+}
+
+TEST(Snapshots, NumbersThatAreNotFiniteAreNamedByTheirRow) {
+  const Folder folder;
+  const auto message = [&](const RawFrame& raw, const std::string& name) -> std::string {
+    try {
+      through_file(raw, folder.path(name));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  for (const int row : {1, 256, 257, 512, 699}) {
+    RawFrame raw = long_frame();
+    raw.particles[static_cast<std::size_t>(row) - 1].position.y() = INFINITY;
+    EXPECT_EQ(message(raw, "p.h5"), folder.path("p.h5") + fmt::format(":frame 0:{}: not a finite number; "
+                                                                      "expected a finite number, got inf",
+                                                                      row));
+    raw = long_frame();
+    raw.contacts.rows[static_cast<std::size_t>(row) - 1].value[static_cast<std::size_t>(ContactColumn::fn)] =
+        NAN;
+    EXPECT_EQ(message(raw, "c.h5"), folder.path("c.h5") + fmt::format(":frame 0:{}: not a finite number; "
+                                                                      "expected a finite number, got nan",
+                                                                      row));
+  }
 }
 
 }  // namespace
