@@ -81,7 +81,9 @@ void FixBiaxial2d::setup(int) {
   sum_forces();
   for (int side = 0; side < 4; ++side) {
     Wall& wall = box_[side];
-    if (wall.control.kind == Kind::stress && !wall.goes_on)
+    if (wall.goes_on) continue;
+    wall.previous_pressing = wall.pressing;
+    if (wall.control.kind == Kind::stress)
       wall.motion.acceleration =
           (force_on(side) - wall.control.damping * wall.motion.velocity) / wall.control.mass;
   }
@@ -92,7 +94,6 @@ void FixBiaxial2d::initial_integrate(int) {
   const double time = clock_.time_at(update->ntimestep);
   for (Wall& wall : box_) {
     wall.previous_position = wall.motion.position;
-    wall.previous_pressing = wall.pressing;
     move(wall, time);
   }
   check_rectangle();
@@ -133,10 +134,11 @@ void FixBiaxial2d::final_integrate() {
       wall.motion = physics::servo_kick(wall.motion, force_on(side),
                                         {wall.control.mass, wall.control.damping}, update->dt);
       wall.contact_velocity = wall.motion.velocity;
-      wall.goes_on = true;
     }
     wall.work -= outward[side] * 0.5 * (wall.previous_pressing + wall.pressing) *
                  (wall.motion.position - wall.previous_position);
+    wall.previous_pressing = wall.pressing;
+    wall.goes_on = true;
   }
 }
 

@@ -91,8 +91,8 @@ class FixBiaxial2d : public FixWithClock, public WallContactSource {
     double pressing, along;     // forces of the last evaluation (N)
     double previous_position, previous_pressing;
     double work;  // J
-    // The acceleration is that of the last step, with which a run goes on: dashpots of the set-up see other
-    // velocities.
+    // The acceleration and the previous force are those of the last step, with which a run goes on: dashpots
+    // of the set-up see other velocities.
     bool goes_on = false;
   };
 

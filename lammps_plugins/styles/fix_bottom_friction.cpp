@@ -87,8 +87,13 @@ double FixBottomFriction::compute_vector(int /*n*/) {
   return sum_of_all_ranks(power_);
 }
 
+// The tallies of all ranks go to the first one, here as in the run that continues, so that both add up the
+// same numbers.
 void FixBottomFriction::write_restart(FILE* file) {
-  const std::array<double, 2> state{sum_of_all_ranks(power_), sum_of_all_ranks(energy_)};
+  std::array<double, 2> state{sum_of_all_ranks(power_), sum_of_all_ranks(energy_)};
+  if (comm->me != 0) state.fill(0.0);
+  power_ = state[0];
+  energy_ = state[1];
   if (comm->me != 0) return;
   const int size = sizeof state;
   std::fwrite(&size, sizeof size, 1, file);

@@ -56,9 +56,16 @@ void FixEnergyDisc::find_walls() {
   }
 }
 
+// A run that goes on does so with the powers of the last step, whose velocities were predicted.
 void FixEnergyDisc::setup(int /*vflag*/) {
+  const Contacts before = now_;
   now_ = evaluate();
-  if (!begun_) first_spring_energy_ = now_.spring_energy;
+  if (begun_) {
+    now_.dashpot_power = before.dashpot_power;
+    now_.tangential_power = before.tangential_power;
+  } else {
+    first_spring_energy_ = now_.spring_energy;
+  }
   begun_ = true;
   step_of_values_ = -1;
 }
@@ -137,29 +144,34 @@ double FixEnergyDisc::compute_vector(int i) {
   return values_[i];
 }
 
-// The tallies of all ranks go to the first one, here as in the run that continues, so that both add up the
-// same numbers.
-void FixEnergyDisc::write_restart(FILE* fp) {
-  std::array<double, 3> tallies = {dashpot_heat_, tangential_work_, first_spring_energy_};
-  MPI_Allreduce(MPI_IN_PLACE, tallies.data(), 3, MPI_DOUBLE, MPI_SUM, world);
-  if (comm->me != 0) tallies.fill(0.0);
+std::array<double, 5> FixEnergyDisc::tallies() const {
+  return {dashpot_heat_, tangential_work_, first_spring_energy_, now_.dashpot_power, now_.tangential_power};
+}
+
+void FixEnergyDisc::go_on_with(const std::array<double, 5>& tallies) {
   dashpot_heat_ = tallies[0];
   tangential_work_ = tallies[1];
   first_spring_energy_ = tallies[2];
+  now_.dashpot_power = tallies[3];
+  now_.tangential_power = tallies[4];
+}
+
+// The tallies of all ranks go to the first one, here as in the run that continues, so that both add up the
+// same numbers.
+void FixEnergyDisc::write_restart(FILE* fp) {
+  std::array<double, 5> sums = tallies();
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), 5, MPI_DOUBLE, MPI_SUM, world);
+  go_on_with(comm->me == 0 ? sums : std::array<double, 5>{});
   if (comm->me != 0) return;
-  const int size = sizeof tallies;
+  const int size = sizeof sums;
   std::fwrite(&size, sizeof size, 1, fp);
-  std::fwrite(tallies.data(), sizeof tallies, 1, fp);
+  std::fwrite(sums.data(), sizeof sums, 1, fp);
 }
 
 void FixEnergyDisc::restart(char* buffer) {
-  if (comm->me == 0) {
-    std::array<double, 3> tallies{};
-    std::memcpy(tallies.data(), buffer, sizeof tallies);
-    dashpot_heat_ = tallies[0];
-    tangential_work_ = tallies[1];
-    first_spring_energy_ = tallies[2];
-  }
+  std::array<double, 5> sums{};
+  if (comm->me == 0) std::memcpy(sums.data(), buffer, sizeof sums);
+  go_on_with(sums);
   begun_ = true;
 }
 

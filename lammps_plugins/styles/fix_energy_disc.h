@@ -10,6 +10,9 @@
 //   5  heat of tangential forces: sliding, dashpots, springs of contacts that open
 // Heat is the sum over steps of force times velocity of the same instant, as velocity Verlet changes the
 // energy.
+//
+// The account of a scene: its change is the work of the walls (scalar of their fixes) and what gravity gives
+// (the scalar of its stock fix falls by that), less what the bottom takes (scalar of fix bottom/friction).
 #pragma once
 
 #include <array>
@@ -53,6 +56,8 @@ class FixEnergyDisc : public FixOfEngine, public ContactObserver {
   Partner partner_of(const ContactRow& row, double radius) const;
   double kinetic_energy() const;
   void update_values();
+  std::array<double, 5> tallies() const;
+  void go_on_with(const std::array<double, 5>& tallies);
 
   std::vector<WallKind> walls_;
   std::vector<ContactRow> rows_;

@@ -180,6 +180,38 @@ TEST_P(Sample, KeepsAccountOfItsEnergyOverManySteps) {
   EXPECT_NEAR(energy / (work + initial), 1, 1e-2);
 }
 
+// Discs fall between walls that close in, and slide on a bottom: what gravity (its stock fix: scalar, J) and
+// walls put in is with the discs, or the bottom (fix bottom/friction: scalar) and the contacts have it as
+// heat.
+TEST_P(Sample, KeepsAccountOfGravityAndTheBottomOverManySteps) {
+  Engine engine;
+  engine.run(
+      box(GetParam(), {.gamma_n = 0.5}) +
+      "create_discs box -0.1 0.1 -0.1 0.1 seed 3 density 6.36 velocity 0.1 uniform 150 1 0.003 0.008\n" +
+      walls("left -0.1 fixed bottom -0.1 fixed right 0.1 stress 5 mass 0.1 damping 3 top 0.1 fixed") +
+      "fix down all gravity 9.81 vector 0 -1 0\nfix slide all bottom/friction 0.05 9.81\n"
+      "fix energy all energy/disc\nrun 0\n");
+  struct Account {
+    double discs, work, potential, bottom;
+  };
+  const auto now = [&] {
+    return Account{engine.fix("energy").compute_scalar(), engine.fix("walls").compute_scalar(),
+                   engine.fix("down").compute_scalar(), engine.fix("slide").compute_scalar()};
+  };
+  const Account start = now();
+  engine.run("run 10000\n");
+  const Account end = now();
+  const double work = end.work - start.work, fallen = start.potential - end.potential,
+               bottom = end.bottom - start.bottom, discs = end.discs - start.discs;
+  std::printf(
+      "tangential %s: walls %.2e J, gravity %.2e J, discs and contacts %.2e J, bottom %.2e J: off by %.1e\n",
+      GetParam(), work, fallen, discs, bottom, (work + fallen - bottom) / discs - 1);
+  // None of the four is small beside the tolerance.
+  EXPECT_GT(work, 0.05 * fallen);
+  EXPECT_GT(bottom, 0.05 * fallen);
+  EXPECT_NEAR((work + fallen - bottom) / discs, 1, 1e-2);
+}
+
 // At rest, sum of f (x) l over all contacts, walls included, with branch vectors that end at the contact
 // points, is the box's area times the pressure of its walls: 1e-6 is what is promised. The walls are still on
 // their way to p.
