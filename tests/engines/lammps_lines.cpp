@@ -52,6 +52,14 @@ std::string law(const Words& words) {
   return joined(own);
 }
 
+/// What error lines call a law; comments may say which are expected.
+std::string comment(std::string line) {
+  const std::string name = "pair_style gran model disc/";
+  const auto place = line.find(name);
+  if (place != std::string::npos) line.replace(place, name.size(), "pair_style disc/");
+  return line;
+}
+
 /// Densities are areal ones, spins have three components.
 std::string set_command(Words words) {
   for (auto& word : words) {
@@ -90,6 +98,7 @@ std::vector<std::string> EngineLines::of(const std::string& line) {
   const auto starts = [&](const Words& first) {
     return words.size() >= first.size() && Words(words.begin(), words.begin() + first.size()) == first;
   };
+  if (command == "#") return {comment(line)};
   if (command == "clear") {
     *this = {};
   } else if (starts({"atom_style", "granular"})) {
