@@ -217,12 +217,15 @@ void FixNveDisc::end_step() {
   note_end_of_step();
 }
 
-/// A signal may have ended the run in a step of which nobody knew that it would be the last.
+/// A signal, a time limit or `fix halt` may have ended the run in a step of which nobody knew that it would
+/// be the last.
 void FixNveDisc::post_run() {
-  if (!packed_ || !packed_->open) return;
-  law_->close();
-  law_->keep_springs_with_atoms();
-  end_step();
+  if (packed_ && packed_->open) {
+    law_->close();
+    law_->keep_springs_with_atoms();
+    end_step();
+  }
+  if (step_complete_ && update->ntimestep != update->laststep) last_forces_.keep(groupbit);
 }
 
 }  // namespace mikromakro::styles
