@@ -7,7 +7,6 @@
 
 #include "atom.h"
 #include "comm_brick.h"
-#include "error.h"
 #include "fix_disc_history.h"
 #include "force.h"
 #include "integrate.h"
@@ -15,7 +14,6 @@
 #include "output.h"
 #include "pair_disc.h"
 #include "update.h"
-#include "version.h"
 
 namespace mikromakro::styles {
 
@@ -52,11 +50,6 @@ template struct Grant<SwapCount, &CommBrick::nswap>;
 template struct Grant<SendCounts, &CommBrick::sendnum>;
 template struct Grant<SendLists, &CommBrick::sendlist>;
 
-template <physics::Normal normal>
-Pair* make_pair_disc(LAMMPS* engine) {
-  return new PairDisc(engine, normal);
-}
-
 }  // namespace
 
 const char* const disc_pair_style = "pair_style disc/linear ...";
@@ -67,20 +60,6 @@ const char* const disc_atom_style = "sphere";
 
 std::string engine_name(const LAMMPS& engine) {
   return std::string("LAMMPS ") + engine.version;
-}
-
-/// The package has no header from which this could be seen when the styles are compiled.
-void check_version(const LAMMPS& engine) {
-  const std::string library = engine.version;
-  if (library == LAMMPS_VERSION) return;
-  engine.error->all(FLERR, "the disc styles were compiled for LAMMPS " LAMMPS_VERSION ", this is " + library);
-}
-
-void register_disc_laws(LAMMPS& engine) {
-  check_version(engine);
-  (*engine.force->pair_map)["disc/linear"] = make_pair_disc<physics::Normal::linear>;
-  (*engine.force->pair_map)["disc/hertz"] = make_pair_disc<physics::Normal::hertz>;
-  (*engine.modify->fix_map)["NEIGH_HISTORY/DISC"] = make_fix<FixDiscHistory>;
 }
 
 DiscLaw* active_disc_law(LAMMPS& engine) {

@@ -1,13 +1,13 @@
-# engine_library(NAME SOURCE...): a static library of the styles for one engine, of which the caller's folder holds
-# dialect.h and the sources that it has for itself. Static, so that tests can hold an engine of their own in the process.
+# engine_library(NAME STATIC|SHARED SOURCE...): a library of the styles for one engine, of which the caller's folder holds
+# dialect.h and the sources that it has for itself. A library, so that tests can hold an engine of their own in the process.
 configure_file(${CMAKE_CURRENT_LIST_DIR}/version.h.in ${CMAKE_CURRENT_BINARY_DIR}/generated/mikromakro_version.h @ONLY)
 set(styles_folder ${CMAKE_CURRENT_LIST_DIR})
 set(styles_generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
 
-function(engine_library name)
+function(engine_library name kind)
   file(GLOB shared CONFIGURE_DEPENDS ${styles_folder}/*.cpp)
   list(REMOVE_ITEM shared ${styles_folder}/launcher.cpp)
-  add_library(${name} STATIC ${shared} ${ARGN})
+  add_library(${name} ${kind} ${shared} ${ARGN})
   # Nobody asks for errno or floating-point traps; without them the loops over contacts can be vectorised.
   set_source_files_properties(${styles_folder}/fix_nve_disc.cpp ${styles_folder}/disc_law_loop.cpp PROPERTIES COMPILE_OPTIONS
                               "-fno-math-errno;-fno-trapping-math;-ffp-contract=off;-Wno-psabi")

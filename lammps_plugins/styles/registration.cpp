@@ -17,16 +17,17 @@
 #include "mikromakro_version.h"
 
 namespace mikromakro::styles {
-namespace {
-
-const std::map<std::string, FixCreator> fixes = {
+const std::map<std::string, FixCreator> disc_fixes = {
     {"ave/micromacro", make_fix<FixAveMicromacro>},   {"biaxial/2d", make_fix<FixBiaxial2d>},
     {"bottom/friction", make_fix<FixBottomFriction>}, {"couette/2d", make_fix<FixCouette2d>},
     {"energy/disc", make_fix<FixEnergyDisc>},         {"nve/disc", make_fix<FixNveDisc>},
     {"snapshot/disc", make_fix<FixSnapshotDisc>}};
-const std::map<std::string, ComputeCreator> computes = {{"contact/disc", make_compute<ComputeContactDisc>}};
-const std::map<std::string, CommandCreator> commands = {{"create_discs", run_command<CreateDiscs>},
-                                                        {"create_ring", run_command<CreateRing>}};
+const std::map<std::string, ComputeCreator> disc_computes = {
+    {"contact/disc", make_compute<ComputeContactDisc>}};
+const std::map<std::string, CommandCreator> disc_commands = {{"create_discs", run_command<CreateDiscs>},
+                                                             {"create_ring", run_command<CreateRing>}};
+
+namespace {
 
 template <class Creator>
 void append_names(std::string& text, const char* kind, const std::map<std::string, Creator>& styles) {
@@ -39,9 +40,9 @@ void append_names(std::string& text, const char* kind, const std::map<std::strin
 
 void register_styles(LAMMPS_NS::LAMMPS& engine) {
   register_disc_laws(engine);
-  for (const auto& [name, creator] : fixes) fix_styles(*engine.modify)[name] = creator;
-  for (const auto& [name, creator] : computes) compute_styles(*engine.modify)[name] = creator;
-  for (const auto& [name, creator] : commands) command_styles(*engine.input)[name] = creator;
+  for (const auto& [name, creator] : disc_fixes) fix_styles(*engine.modify)[name] = creator;
+  for (const auto& [name, creator] : disc_computes) compute_styles(*engine.modify)[name] = creator;
+  for (const auto& [name, creator] : disc_commands) command_styles(*engine.input)[name] = creator;
 }
 
 std::string version_line() {
@@ -51,9 +52,9 @@ std::string version_line() {
 std::string style_list() {
   std::string text = "\nStyles of mikromakro\n\n";
   text += std::string("* ") + law_styles + "\n";
-  append_names(text, "Fix styles", fixes);
-  append_names(text, "Compute styles", computes);
-  append_names(text, "Commands", commands);
+  append_names(text, "Fix styles", disc_fixes);
+  append_names(text, "Compute styles", disc_computes);
+  append_names(text, "Commands", disc_commands);
   return text;
 }
 

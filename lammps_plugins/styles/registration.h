@@ -1,13 +1,17 @@
 // Makes the disc styles known to an engine.
 #pragma once
 
+#include <map>
 #include <string>
 
-namespace LAMMPS_NS {
-class LAMMPS;
-}
+#include "dialect.h"
 
 namespace mikromakro::styles {
+
+// What the engines have in common, by the names of scripts; contact laws are an engine's own.
+extern const std::map<std::string, FixCreator> disc_fixes;
+extern const std::map<std::string, ComputeCreator> disc_computes;
+extern const std::map<std::string, CommandCreator> disc_commands;
 
 /// Adds the fixes, computes and commands of mikromakro to the tables of one engine and the contact laws to
 /// the engine's factories. Called for every new engine and again after `clear`; calling it twice changes

@@ -1,0 +1,76 @@
+// How LAMMPS gets to know the disc styles: the pair styles and, where a LAMMPS with PLUGIN loads this object,
+// everything else.
+#include <type_traits>
+
+#include "engine_access.h"
+#include "error.h"
+#include "fix_disc_history.h"
+#include "force.h"
+#include "lammps.h"
+#include "lammpsplugin.h"
+#include "mikromakro_version.h"
+#include "pair_disc.h"
+#include "registration.h"
+#include "version.h"
+
+namespace mikromakro::styles {
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+template <physics::Normal normal>
+Pair* make_pair_disc(LAMMPS* engine) {
+  return new PairDisc(engine, normal);
+}
+
+const std::map<std::string, Force::PairCreator> laws = {
+    {"disc/linear", make_pair_disc<physics::Normal::linear>},
+    {"disc/hertz", make_pair_disc<physics::Normal::hertz>}};
+const std::map<std::string, FixCreator> springs = {{"NEIGH_HISTORY/DISC", make_fix<FixDiscHistory>}};
+
+/// The package has no header from which this could be seen when the styles are compiled.
+void check_version(const LAMMPS& engine) {
+  const std::string library = engine.version;
+  if (library == LAMMPS_VERSION) return;
+  engine.error->all(FLERR, "the disc styles were compiled for LAMMPS " LAMMPS_VERSION ", this is " + library);
+}
+
+}  // namespace
+
+void register_disc_laws(LAMMPS& engine) {
+  check_version(engine);
+  for (const auto& [name, creator] : laws) (*engine.force->pair_map)[name] = creator;
+  for (const auto& [name, creator] : springs) fix_styles(*engine.modify)[name] = creator;
+}
+
+}  // namespace mikromakro::styles
+
+/// Called by the command `plugin load`. The engine keeps the names, and calls the creators, until it takes
+/// the styles back: in this order, pair styles before the fix with their springs.
+extern "C" void lammpsplugin_init(void* engine, void* handle, void* register_style) {
+  using namespace mikromakro::styles;
+  check_version(*static_cast<LAMMPS_NS::LAMMPS*>(engine));
+  const auto give = [&](const char* kind, const auto& styles) {
+    for (const auto& [name, creator] : styles) {
+      lammpsplugin_t style{};
+      style.version = LAMMPS_VERSION;
+      style.style = kind;
+      style.name = style.info = name.c_str();
+      style.author = "mikromakro " MIKROMAKRO_VERSION;
+      // The engine turns it back into what it is, by the kind.
+      if constexpr (std::is_invocable_v<decltype(creator), LAMMPS_NS::LAMMPS*>) {
+        style.creator.v1 = reinterpret_cast<lammpsplugin_factory1*>(creator);
+      } else {
+        style.creator.v2 = reinterpret_cast<lammpsplugin_factory2*>(creator);
+      }
+      style.handle = handle;
+      reinterpret_cast<lammpsplugin_regfunc>(register_style)(&style, engine);
+    }
+  };
+  give("pair", laws);
+  give("fix", springs);
+  give("fix", disc_fixes);
+  give("compute", disc_computes);
+  give("command", disc_commands);
+}
