@@ -144,4 +144,31 @@ ContactForce contact_force(const ContactParameters& p, const ContactState& s, do
   return {f_n, 0.0, 0.0};
 }
 
+/// Rate of the overlap that the dashpot sees for a whole step [m/s]: v_n times the steps for which the force
+/// that is evaluated now stands. With s = overlap / |v_n| dt, the steps since the discs met or until they
+/// part, these are 3/2 s up to s = 1, then 2 - s/2, and 1 from s = 2 on: over a contact they sum up to its
+/// duration, wherever in a step it begins and ends, and none of them jumps. `frequency` = 1/dt; infinite
+/// leaves v_n.
+inline double rate_of_step(const ContactState& s, double frequency) {
+  const double speed = std::abs(s.v_n), overlap_per_step = s.overlap * frequency;
+  const double shared = std::min(1.5 * overlap_per_step, std::max(speed, 2 * speed - overlap_per_step / 2));
+  return std::copysign(shared, s.v_n);
+}
+
+/// What the force of an instant is for the step around it: the dashpot's force, which jumps when discs meet
+/// and part, counts for the share of the step in contact, and friction changes in proportion to f_n. In the
+/// middle of a contact, and without dashpot, it is the force of the instant, bit for bit.
+template <Effects effects>
+ContactForce force_of_step(const ContactParameters& p, const ContactState& s, const ContactForce& now,
+                           double frequency) {
+  if constexpr (!effects.normal_dashpot) return now;
+  ContactState shared = s;
+  shared.v_n = rate_of_step(s, frequency);
+  const double f_n = normal_force<effects>(p, shared);
+  if constexpr (effects.tangential == Tangential::none) return {f_n, 0.0, 0.0};
+  // Where f_n is zero, so is f_t.
+  const double part = std::abs(f_n) / std::max(std::abs(now.f_n), std::numeric_limits<double>::min());
+  return {f_n, now.f_t * part, now.xi};
+}
+
 }  // namespace mikromakro::physics
