@@ -26,6 +26,13 @@ inline double restitution(double k_n, double gamma_n, double m12) {
   return std::exp(-gamma_n * contact_duration(k_n, gamma_n, m12) / (2 * m12));
 }
 
+/// The gamma_n [kg/s] that makes a restitution e_n, 0 < e_n <= 1: with l = -ln e_n, gamma_n/2 m12 =
+/// sqrt(k_n/m12) l / sqrt(pi^2 + l^2).
+inline double damping_of_restitution(double k_n, double e_n, double m12) {
+  const double l = -std::log(e_n);
+  return 2 * std::sqrt(k_n * m12) * l / std::sqrt(std::numbers::pi * std::numbers::pi + l * l);
+}
+
 /// k_H [N/m^(3/2)] of f_n = k_H overlap^(3/2), the law of contact_law.h for one pair: k_H = k_n sqrt(a_12).
 inline double hertz_stiffness(double k_n, double reduced_radius) {
   return k_n * std::sqrt(reduced_radius);

@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
   mikromakro::add_audit_command(program);
   mikromakro::add_convert_command(program);
   mikromakro::add_draw_command(program);
+  mikromakro::add_timestep_command(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

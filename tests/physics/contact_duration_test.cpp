@@ -36,6 +36,12 @@ TEST(ContactDuration, OfRoundNumbers) {
   EXPECT_DOUBLE_EQ(restitution(50, 0, 2), 1);
 }
 
+TEST(DampingOfRestitution, IsTheInverseOfTheRestitution) {
+  // The numbers above: k = 50, m12 = 2, gamma = 12 have e_n = exp(-3 pi/4).
+  EXPECT_NEAR(damping_of_restitution(50, std::exp(-3 * M_PI / 4), 2), 12, 1e-14);
+  EXPECT_EQ(damping_of_restitution(50, 1, 2), 0);
+}
+
 TEST(ContactDuration, OverdampedIsTheUndampedTimeScale) {
   // gamma/2 m12 = 5 is critical: the square root would be 0, beyond it imaginary.
   EXPECT_NEAR(contact_duration(50, 20, 2), M_PI / 5, 1e-15);

@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "app/commands.h"
+#include "io/error.h"
+#include "io/json_object.h"
+#include "physics/contact_duration.h"
+#include "physics/impact.h"
+
+namespace mikromakro {
+namespace {
+
+struct TimestepOptions {
+  double radius = std::nan(""), density = std::nan("");
+  double kn = std::nan(""), gamman = std::nan(""), restitution = std::nan("");
+  double kt = std::nan(""), gammat = 0, mu = std::nan("");
+  double velocity = std::nan(""), error = std::nan("");
+  bool hertz = false, json = false;
+};
+
+void require(bool holds, std::string_view option, std::string_view expected, double got) {
+  if (!holds) throw bad_input({option}, "the value makes no sense", expected, fmt::format("{}", got));
+}
+
+void check(const TimestepOptions& o) {
+  require(o.radius > 0, "--radius", "a length above 0 (m)", o.radius);
+  require(o.density > 0, "--density", "an areal density rho h above 0 (kg/m^2)", o.density);
+  require(o.kn > 0, "--kn", "a stiffness above 0", o.kn);
+  require(std::isnan(o.gamman) || o.gamman >= 0, "--gamman", "a number from 0 on (kg/s)", o.gamman);
+  require(std::isnan(o.restitution) || (o.restitution > 0 && o.restitution <= 1), "--restitution",
+          "a number above 0, at most 1", o.restitution);
+  require(std::isnan(o.kt) || o.kt > 0, "--kt", "a stiffness above 0 (N/m)", o.kt);
+  require(o.gammat >= 0, "--gammat", "a number from 0 on (kg/s)", o.gammat);
+  require(std::isnan(o.mu) || o.mu >= 0, "--mu", "a number from 0 on", o.mu);
+  require(std::isnan(o.velocity) || o.velocity > 0, "--velocity", "a speed above 0 (m/s)", o.velocity);
+  require(std::isnan(o.error) || o.error > 0, "--error", "a number above 0", o.error);
+}
+
+/// An impact of two of the smallest discs; with friction at 45 degrees.
+physics::Impact impact_of(const TimestepOptions& o) {
+  const double mass = o.density * std::numbers::pi * o.radius * o.radius, m12 = mass / 2;
+  const double gamma_n = !std::isnan(o.gamman) ? o.gamman
+                         : std::isnan(o.restitution)
+                             ? 0.0
+                             : physics::damping_of_restitution(o.kn, o.restitution, m12);
+  // The linear law has the same error at any velocity; a slow impact does not turn its normal.
+  const double slow = 1e-3 * o.radius * std::sqrt(o.kn / m12);
+  const double v_n = o.hertz ? o.velocity : slow, k_h = physics::hertz_stiffness(o.kn, o.radius / 2);
+  const double duration = o.hertz ? physics::hertz_contact_duration(k_h, m12, v_n)
+                                  : physics::contact_duration(o.kn, gamma_n, m12);
+  const double mu = std::isnan(o.mu) ? 0.0 : o.mu;
+  return {{o.kn, gamma_n, o.kt, o.gammat, mu}, o.radius, mass, v_n, mu > 0 ? v_n : 0.0, duration};
+}
+
+struct Finding {
+  double restitution, steps;  // of the impact; in its duration, for the wanted error
+};
+
+template <physics::Tangential tangential, physics::Normal normal>
+Finding find(const physics::Impact& impact, double wanted) {
+  constexpr physics::Effects effects{tangential, false, normal};
+  Finding found{physics::exact_rebound<effects>(impact)[physics::restitution_of_impact], std::nan("")};
+  if (std::isnan(found.restitution)) {
+    throw bad_input({"--gamman"}, "the discs do not part", "a weaker dashpot",
+                    fmt::format("{}", impact.law.normal_damping));
+  }
+  if (std::isnan(wanted)) return found;
+  found.steps = physics::steps_for_error<effects>(impact, wanted);
+  if (std::isnan(found.steps)) {
+    throw bad_input({"--error"}, "no time step of t_c/4000 or more is so accurate", "a larger error",
+                    fmt::format("{}", wanted));
+  }
+  return found;
+}
+
+template <physics::Normal normal>
+Finding find_with_friction(const TimestepOptions& o, const physics::Impact& impact) {
+  using physics::Tangential;
+  if (impact.law.friction == 0) return find<Tangential::none, normal>(impact, o.error);
+  if (std::isnan(o.kt)) return find<Tangential::viscous_coulomb, normal>(impact, o.error);
+  if (o.gammat > 0) return find<Tangential::damped_spring, normal>(impact, o.error);
+  return find<Tangential::spring, normal>(impact, o.error);
+}
+
+void print(const TimestepOptions& o, const physics::Impact& impact, const Finding& found) {
+  const double rule = impact.duration / physics::steps_per_contact, dt = impact.duration / found.steps;
+  if (o.json) {
+    JsonObject json;
+    json.add("t_c", impact.duration);
+    json.add("e_n", found.restitution);
+    json.add("gamma_n", impact.law.normal_damping);
+    json.add("rule", rule);
+    json.add("steps_per_contact", found.steps);
+    json.add("dt", dt);
+    fmt::print("{}\n", json.text());
+    return;
+  }
+  fmt::print("t_c = {:.6g} s, e_n = {:.6g}, t_c/50 = {:.6g} s\n", impact.duration, found.restitution, rule);
+  if (std::isnan(o.error)) return;
+  fmt::print(
+      "dt = {:.6g} s = t_c/{:.1f}: velocities after {} impact are off by {:g} of the one before (rms)\n", dt,
+      found.steps, impact.v_t > 0 ? "an oblique" : "a head-on", o.error);
+  if (dt > rule) fmt::print("the engine warns above t_c/50\n");
+}
+
+}  // namespace
+
+void add_timestep_command(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("timestep", "duration and restitution of a contact, time step for an error");
+  auto options = std::make_shared<TimestepOptions>();
+  app->add_option("--radius", options->radius, "of the smallest discs (m)")->required();
+  app->add_option("--density", options->density, "areal density rho h (kg/m^2): m = rho h pi a^2")
+      ->required();
+  app->add_option("--kn", options->kn, "normal stiffness (N/m; with --hertz N/m^2)")->required();
+  auto* gamman = app->add_option("--gamman", options->gamman, "normal dashpot (kg/s), default 0");
+  auto* restitution =
+      app->add_option("--restitution", options->restitution, "e_n in place of --gamman")->excludes(gamman);
+  app->add_option("--mu", options->mu, "friction: the impact is oblique, at 45 degrees");
+  app->add_option("--kt", options->kt, "tangential spring (N/m); without it friction is Eq. 1");
+  app->add_option("--gammat", options->gammat, "tangential dashpot (kg/s)");
+  auto* velocity = app->add_option("--velocity", options->velocity, "of the impact (m/s), for --hertz");
+  auto* hertz =
+      app->add_flag("--hertz", options->hertz, "Hertz's law")->needs(velocity)->excludes(restitution);
+  velocity->needs(hertz);
+  app->add_option("--error", options->error,
+                  "wanted: rms error of velocities after an impact over the one before");
+  app->add_flag("--json", options->json, "print JSON");
+  app->callback([options] {
+    check(*options);
+    const physics::Impact impact = impact_of(*options);
+    const bool hertz = options->hertz;
+    print(*options, impact,
+          hertz ? find_with_friction<physics::Normal::hertz>(*options, impact)
+                : find_with_friction<physics::Normal::linear>(*options, impact));
+  });
+}
+
+}  // namespace mikromakro

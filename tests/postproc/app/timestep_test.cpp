@@ -1,0 +1,74 @@
+// `mikromakro timestep`: the law that it goes by is tested in tests/physics/impact_test.cpp, and against runs
+// of the engines in tests/engines/impact_test.cpp.
+#include <gtest/gtest.h>
+
+#include "json_number.h"
+#include "physics/contact_duration.h"
+#include "physics/impact.h"
+#include "run_program.h"
+
+namespace mikromakro {
+namespace {
+
+// The small discs of the paper's cell.
+const std::string discs = "timestep --json --radius 3.71e-3 --density 6.36 ";
+const double m12 = 6.36 * M_PI * 3.71e-3 * 3.71e-3 / 2;
+
+TEST(Timestep, TellsDurationAndRestitutionOfTheSeed) {
+  const Ran ran = run_program(discs + "--kn 352.1 --gamman 0.19");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NEAR(json_number(ran.out, "t_c") / physics::contact_duration(352.1, 0.19, m12), 1, 1e-14);
+  // 2e-6: the small turn of a numerical impact with an overlap of 1e-3 radii.
+  EXPECT_NEAR(json_number(ran.out, "e_n"), physics::restitution(352.1, 0.19, m12), 2e-6);
+  EXPECT_NEAR(json_number(ran.out, "rule") * 50 / json_number(ran.out, "t_c"), 1, 1e-14);
+  EXPECT_NE(ran.out.find("\"dt\": null"), std::string::npos) << ran.out;
+}
+
+TEST(Timestep, TakesTheDashpotFromTheRestitution) {
+  const Ran ran = run_program(discs + "--kn 352.1 --restitution 0.6");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NEAR(json_number(ran.out, "e_n"), 0.6, 2e-6);
+}
+
+TEST(Timestep, ForAnErrorIsTheLongestThatMeetsIt) {
+  for (const std::string friction : {"", " --mu 0.44 --kt 281.68", " --mu 0.44 --gammat 0.15"}) {
+    const std::string law = discs + "--kn 352.1 --gamman 0.19" + friction;
+    const double one = json_number(run_program(law + " --error 1e-3").out, "steps_per_contact"),
+                 hundredth = json_number(run_program(law + " --error 1e-5").out, "steps_per_contact");
+    // Order 2: a hundredth of the error costs ten times the steps; 10 % of it for the next order at the
+    // coarse end.
+    EXPECT_NEAR(hundredth / one, 10, 1) << friction;
+  }
+}
+
+TEST(Timestep, OfAnElasticHertzianImpactHasItsDurationAtTheVelocity) {
+  const Ran ran = run_program(discs + "--kn 1e7 --hertz --velocity 0.01 --error 1e-4");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const double k_h = physics::hertz_stiffness(1e7, 3.71e-3 / 2);
+  EXPECT_NEAR(json_number(ran.out, "t_c") / physics::hertz_contact_duration(k_h, m12, 0.01), 1, 1e-14);
+  const physics::Impact impact{{1e7, 0, 0, 0, 0}, 3.71e-3, 2 * m12, 0.01, 0, json_number(ran.out, "t_c")};
+  constexpr physics::Effects hertz{physics::Tangential::none, false, physics::Normal::hertz};
+  EXPECT_NEAR(json_number(ran.out, "steps_per_contact"), physics::steps_for_error<hertz>(impact, 1e-4), 1e-9);
+}
+
+void expect_complaint(const std::string& arguments, const std::string& what) {
+  const Ran ran = run_program("timestep --radius 3.71e-3 " + arguments);
+  EXPECT_EQ(ran.code, 2) << arguments;
+  EXPECT_EQ(ran.err, "mikromakro: " + what + "\n");
+}
+
+TEST(Timestep, SaysWhatMakesNoSense) {
+  expect_complaint("--density 6.36 --kn 0",
+                   "--kn: the value makes no sense; expected a stiffness above 0, got '0'");
+  expect_complaint(
+      "--density 6.36 --kn 352.1 --restitution 1.2",
+      "--restitution: the value makes no sense; expected a number above 0, at most 1, got '1.2'");
+  expect_complaint("--density 6.36 --kn 352.1 --gamman 2",
+                   "--gamman: the discs do not part; expected a weaker dashpot, got '2'");
+  expect_complaint(
+      "--density 6.36 --kn 352.1 --gamman 0.19 --error 1e-9",
+      "--error: no time step of t_c/4000 or more is so accurate; expected a larger error, got '1e-09'");
+}
+
+}  // namespace
+}  // namespace mikromakro
