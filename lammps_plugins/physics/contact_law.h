@@ -155,6 +155,12 @@ inline double rate_of_step(const ContactState& s, double frequency) {
   return std::copysign(shared, s.v_n);
 }
 
+/// For force_of_step() [1/s]; velocities of the middle of a step, as the stock integrators leave them, have
+/// no share of it.
+inline double frequency_of_steps(bool predicted, double dt) {
+  return predicted ? 1 / dt : std::numeric_limits<double>::infinity();
+}
+
 /// What the force of an instant is for the step around it: the dashpot's force, which jumps when discs meet
 /// and part, counts for the share of the step in contact, and friction changes in proportion to f_n. In the
 /// middle of a contact, and without dashpot, it is the force of the instant, bit for bit.

@@ -101,7 +101,8 @@ class FreePair {
     }
     const StepOfSlip step{dt_, scheme_ != Scheme::half_step};
     ContactForce force = wall_contact_force<effects>(parameters_, seen, step, spring_);
-    if (scheme_ == Scheme::share_of_step) force = force_of_step<effects>(parameters_, seen, force, 1 / dt_);
+    const double frequency = frequency_of_steps(scheme_ == Scheme::share_of_step, dt_);
+    force = force_of_step<effects>(parameters_, seen, force, frequency);
     const auto [n, distance] = normal();
     force_ = {-force.f_n * n.x - force.f_t * n.y, -force.f_n * n.y + force.f_t * n.x};
     f_t_ = force.f_t;

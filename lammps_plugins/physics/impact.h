@@ -93,16 +93,18 @@ inline double error_of_velocity(const Impact& impact, const ImpactError& error) 
 /// number where not even the most that are tried suffice, or the contact does not end.
 template <Effects effects>
 double steps_for_error(const Impact& impact, double wanted) {
-  constexpr double least = 5, most = 4000, ratio = 1.02;
+  constexpr double least = 5, most = 4000;
   const auto exact = exact_rebound<effects>(impact);
-  double found = std::numeric_limits<double>::quiet_NaN();
-  for (double steps = most; steps > least; steps /= ratio) {
+  const auto suffice = [&](double steps) {
     const auto error = error_over_phases<effects>(impact, steps, Scheme::share_of_step, exact);
-    const bool meets = error_of_velocity(impact, error) <= wanted;
-    if (!meets) break;
-    found = steps;
+    return error_of_velocity(impact, error) <= wanted;
+  };
+  if (!suffice(most)) return std::numeric_limits<double>::quiet_NaN();
+  double steps = most;
+  for (const double ratio : {1.25, 1.02}) {
+    while (steps / ratio > least && suffice(steps / ratio)) steps /= ratio;
   }
-  return found;
+  return steps;
 }
 
 }  // namespace mikromakro::physics
