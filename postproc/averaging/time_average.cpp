@@ -15,8 +15,20 @@ void add_to(Rows& total, const Rows& sums, bool first) {
 
 }  // namespace
 
+/// What rounding left out of the total goes into it with the next frame (Kahan).
+void TimeAverage::add_to_total(const Rows& frame_sums) {
+  if (frames_ == 0) {
+    total_ = frame_sums;
+    excess_ = Rows::Zero(frame_sums.rows(), frame_sums.cols());
+    return;
+  }
+  const Rows rest = frame_sums - excess_, total = total_ + rest;
+  excess_ = (total - total_) - rest;
+  total_ = total;
+}
+
 void TimeAverage::add(const Rows& frame_sums, std::int64_t run) {
-  add_to(total_, frame_sums, frames_ == 0);
+  add_to_total(frame_sums);
   ++frames_;
   if (most_blocks_ == 0) return;
   if (run != run_) open_frames_ = 0;

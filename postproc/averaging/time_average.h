@@ -32,12 +32,13 @@ class TimeAverage {
   std::int64_t block_length() const { return block_length_; }
 
  private:
+  void add_to_total(const Rows& frame_sums);
   void close_block();
   std::size_t pairs() const;
   void merge_pairs();
 
   std::size_t most_blocks_;
-  Rows total_;
+  Rows total_, excess_;  // the sum of all frames, and by how much it is too large
   std::int64_t frames_ = 0;
   std::vector<Rows> blocks_;
   std::vector<std::int64_t> runs_;

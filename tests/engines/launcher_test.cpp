@@ -141,6 +141,11 @@ TEST_F(Launcher, WarnsOfAStepAboveAFiftiethOfTheContactAndNamesOneThatWouldDo) {
     EXPECT_EQ(long_step.code, 0);
     EXPECT_EQ(long_step.lines_with(warning), 1U) << long_step.output;
     EXPECT_EQ(short_step.lines_with("would do"), 0U) << short_step.output;
+    const auto coarse = run_with(t_c / 5), unstable = run_with(t_c / 2);
+    EXPECT_EQ(coarse.code, 0);
+    EXPECT_EQ(coarse.lines_with(warning), 1U) << coarse.output;
+    EXPECT_NE(unstable.code, 0);
+    EXPECT_EQ(unstable.lines_with("is above a quarter of the shortest contact"), 1U) << unstable.output;
   }
 }
 
