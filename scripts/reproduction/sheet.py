@@ -37,6 +37,10 @@ def save_picture(figure, name, dots_per_inch=110, **options):
     return path
 
 
+def written(value):
+    return value if isinstance(value, str) else f"{value:.6g}"
+
+
 def save_numbers(name, columns, notes=()):
     """A CSV of named columns, which may differ in length; `notes` come first as comments."""
     os.makedirs(RESULTS, exist_ok=True)
@@ -47,4 +51,4 @@ def save_numbers(name, columns, notes=()):
         rows.writerow(columns)
         length = max(len(values) for values in columns.values())
         for k in range(length):
-            rows.writerow([f"{values[k]:.6g}" if k < len(values) else "" for values in columns.values()])
+            rows.writerow([written(values[k]) if k < len(values) else "" for values in columns.values()])
