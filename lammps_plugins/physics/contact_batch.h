@@ -161,10 +161,9 @@ inline void begin_or_end_contact(ContactBatch& c, int k, bool predicted, double 
     c.slip[k] = slip_since_onset({c.overlap[k], c.v_n[k], c.v_t[k], 0}, dt);
 }
 
-/// The law, after contact_geometry() and with the slip of each lane; `frequency` of the steps for which the
-/// forces stand (force_of_step), infinite for forces of an instant [1/s].
+/// The law, after contact_geometry() and with the slip of each lane.
 template <Effects effects>
-[[gnu::always_inline]] inline void contact_forces(ContactBatch& c, int count, double frequency) {
+[[gnu::always_inline]] inline void contact_forces(ContactBatch& c, int count) {
   const int all = padded(count);
   for (int k = 0; k < all; ++k) {
     const ContactParameters parameters{c.k_n[k], c.gamma_n[k], c.k_t[k], c.gamma_t[k], c.mu[k]};
@@ -173,8 +172,7 @@ template <Effects effects>
       const double a_1 = (c.reach[k] - c.radius_difference[k]) / 2;
       state.reduced_radius = reduced_radius(a_1, c.reach[k] - a_1);
     }
-    const auto now = contact_force<effects>(parameters, state, c.slip[k]);
-    const auto force = force_of_step<effects>(parameters, state, now, frequency);
+    const auto force = contact_force<effects>(parameters, state, c.slip[k]);
     const bool touches = c.overlap[k] > 0;
     const double f_n = touches ? force.f_n : 0.0, f_t = touches ? force.f_t : 0.0;
     c.f_n[k] = f_n;

@@ -163,7 +163,8 @@ inline double frequency_of_steps(bool predicted, double dt) {
 
 /// What the force of an instant is for the step around it: the dashpot's force, which jumps when discs meet
 /// and part, counts for the share of the step in contact, and friction changes in proportion to f_n. In the
-/// middle of a contact, and without dashpot, it is the force of the instant, bit for bit.
+/// middle of a contact, and without dashpot, it is the force of the instant, bit for bit. A scheme that is
+/// measured (impact.h); fix nve/disc takes the force of the instant (docs/results/accuracy.md tells why).
 template <Effects effects>
 ContactForce force_of_step(const ContactParameters& p, const ContactState& s, const ContactForce& now,
                            double frequency) {

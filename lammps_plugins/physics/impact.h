@@ -89,14 +89,14 @@ inline double error_of_velocity(const Impact& impact, const ImpactError& error) 
   return std::hypot(error.rms[restitution_of_impact], error.rms[slip_after]) / before;
 }
 
-/// The fewest steps in Impact::duration, to 2 %, from which on error_of_velocity() is at most `wanted`; not a
-/// number where not even the most that are tried suffice, or the contact does not end.
+/// The fewest steps of fix nve/disc in Impact::duration, to 2 %, from which on error_of_velocity() is at most
+/// `wanted`; not a number where not even the most that are tried suffice, or the contact does not end.
 template <Effects effects>
 double steps_for_error(const Impact& impact, double wanted) {
   constexpr double least = 5, most = 4000;
   const auto exact = exact_rebound<effects>(impact);
   const auto suffice = [&](double steps) {
-    const auto error = error_over_phases<effects>(impact, steps, Scheme::share_of_step, exact);
+    const auto error = error_over_phases<effects>(impact, steps, Scheme::same_instant, exact);
     return error_of_velocity(impact, error) <= wanted;
   };
   if (!suffice(most)) return std::numeric_limits<double>::quiet_NaN();

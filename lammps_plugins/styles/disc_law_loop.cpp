@@ -38,8 +38,7 @@ struct BatchOfPairs {
   int count;
   int ahead;  // of the pairs behind them, how many are to be fetched from memory
   bool predicted;
-  double dt;         // by which springs move: none in a set-up
-  double frequency;  // for force_of_step
+  double dt;
 };
 
 template <Effects effects>
@@ -52,7 +51,7 @@ FOR_EACH_PROCESSOR physics::BatchState batch_geometry(ContactBatch& c, const Bat
 
 template <Effects effects>
 FOR_EACH_PROCESSOR void batch_forces(ContactBatch& c, const BatchOfPairs& b) {
-  physics::contact_forces<effects>(c, b.count, b.frequency);
+  physics::contact_forces<effects>(c, b.count);
   physics::add_loads<effects>(c, b.pairs, b.count, b.loads);
 }
 
@@ -259,7 +258,6 @@ void DiscLaw::loop(const Evaluation& evaluation) {
   }
   const bool move_spring = evaluation.is_step && evaluation.moves_springs;
   const double dt = move_spring ? update->dt : 0.0;
-  const double frequency = physics::frequency_of_steps(predicted_, update->dt);
   const bool exceed_cache = packed_.exceed_cache();
   ContactBatch& c = *batch_;
   for (int k = 0; k < ContactBatch::lanes; ++k) c.set_material(k, parameters_.front());
@@ -267,14 +265,8 @@ void DiscLaw::loop(const Evaluation& evaluation) {
   for (int first = 0; first < near_.size(); first += ContactBatch::lanes) {
     const int count = std::min(ContactBatch::lanes, near_.size() - first);
     const int ahead = exceed_cache ? std::min(count, near_.size() - first - count) : 0;
-    const BatchOfPairs batch{packed_.discs.data(),
-                             packed_.loads.data(),
-                             near_.from(first),
-                             count,
-                             ahead,
-                             predicted_,
-                             dt,
-                             frequency};
+    const BatchOfPairs batch{
+        packed_.discs.data(), packed_.loads.data(), near_.from(first), count, ahead, predicted_, dt};
     if (!one_material_) set_materials(c, batch.pairs, count);
     if (effects.spring()) {
       near_.load_springs(c, first, count);

@@ -154,7 +154,6 @@ physics::WallSpring* SmoothWalls::spring_of(int i, int number, bool make) {
 
 template <Effects effects>
 void SmoothWalls::touch(int number, const physics::SmoothWall& wall) {
-  const double frequency = physics::frequency_of_steps(step_.predicted, update->dt);
   for (const int i : near_[number]) {
     const double *x = atom->x[i], *v = atom->v[i];
     const physics::MovingDisc disc{{x[0], x[1]}, {v[0], v[1]}, atom->omega[i][2], atom->radius[i]};
@@ -170,8 +169,7 @@ void SmoothWalls::touch(int number, const physics::SmoothWall& wall) {
     if constexpr (effects.normal == physics::Normal::hertz)
       state.reduced_radius = physics::reduced_radius_at(physics::curvature(wall), disc.radius);
     const auto& parameters = parameters_[number][atom->type[i] - 1];
-    const auto now = physics::wall_contact_force<effects>(parameters, state, step_, *spring);
-    const auto force = physics::force_of_step<effects>(parameters, state, now, frequency);
+    const auto force = physics::wall_contact_force<effects>(parameters, state, step_, *spring);
     const auto& n = at.normal;
     const physics::PlaneVector on_disc{-force.f_n * n.x - force.f_t * n.y,
                                        -force.f_n * n.y + force.f_t * n.x};

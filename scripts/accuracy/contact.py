@@ -8,8 +8,8 @@ import numpy as np
 
 from reproduction import sheet
 
-SCHEMES = {"half_step": "velocities of the half step (stock)", "same_instant": "of the same instant",
-           "share_of_step": "and the share of the step in contact (ours)"}
+SCHEMES = {"half_step": "velocities of the half step (stock)", "same_instant": "of the same instant (ours)",
+           "share_of_step": "and the share of the step in contact"}
 PANELS = (("linear with dashpot", "restitution", "linear, dashpot: $e_n$"), ("linear with dashpot", "duration", "linear, dashpot: duration"),
           ("dashpot and spring", "slip", "dashpot and spring: slip after"), ("Hertz with dashpot", "restitution", "Hertz, dashpot: $e_n$"),
           ("linear elastic", "energy", "linear, elastic: energy"), ("elastic with spring", "slip", "elastic and spring: slip after"))
@@ -82,11 +82,10 @@ def section():
     yield ""
     yield ("The dashpot's force jumps where discs meet and part. A step counts a force from half a step before to half a step after it, so that each "
            "jump is misplaced by up to "
-           "half a step: order 1, whatever the velocities. Its force for the share of the step in contact restores order 2; `force_of_step` in "
-           "`physics/contact_law.h` is the default with "
-           "`fix nve/disc`. It costs a minimum and a maximum, with friction one division more: of the evaluation of a pair 6 % without friction (0.3 "
-           "of 4.3 ns), 11 % under Eq. 1, 13 % "
-           "with a spring (0.8 of 5.8 ns; AVX2, rows in the cache). Half-step velocities keep a bias of order 1 besides.")
+           "half a step: order 1, whatever the velocities. Its force for the share of the step in contact (`force_of_step` in `physics/contact_law.h`) "
+           "restores order 2. It is not what `fix nve/disc` does: it is not free (6 % of the evaluation of a pair without friction, 11 % under Eq. 1, 13 % "
+           "with a spring; 3 to 9 % of a step), and four runs of `inputs/biaxial` with it had sin(phi) = 0.278 +- 0.003, four without it "
+           "0.298 +- 0.007, which is not understood yet: runs with shorter steps have to tell which is right. Half-step velocities keep a bias of order 1 besides.")
     yield ""
     yield (f"Without dashpots nothing jumps, and all schemes are the same. The energy of an elastic rebound drifts by {drift[1][at_rule]:.0e} of "
            f"itself on average at t_c/57, and scatters by "

@@ -217,7 +217,7 @@ void DiscReference::evaluate_contacts(double dt) {
     const auto state = physics::contact_geometry<effects>(c, count);
     physics::contact_slip(c, count, true, dt);
     if (state.any_changed) begin_and_end_contacts(first, count, dt);
-    physics::contact_forces<effects>(c, count, 1 / scene_.time_step);
+    physics::contact_forces<effects>(c, count);
     physics::add_loads<effects>(c, pairs, count, loads_.data());
     if (dt > 0) near_.store_springs(c, first, count);
   }

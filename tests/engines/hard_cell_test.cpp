@@ -81,19 +81,24 @@ TEST(FrozenCell, LetsTheWheelSlipOverManySteps) {
 }
 
 // nu = 0.3: the wheel has swept its rim free and carries nothing, to the last bit. The outer ring carries the
-// centrifugal force of discs that still roll along it, sum m v^2/r.
+// centrifugal force of discs that still move along it, sum m v^2/r, on average over many contact durations:
+// discs swing on it, which leaves 5 % at most. The kinetic energy includes that of spins.
 TEST(LooseCell, ComesToCarryNoStress) {
   const int count = discs_at(0.3);
   Engine engine;
-  engine.run(packed(count) + rings(0.1) + "run 250000\n");
-  EXPECT_EQ(value(engine, 1), 0);
-  EXPECT_EQ(value(engine, 3), 0);
-  const auto discs = engine.discs();
-  const double pressing = value(engine, 4) * 2 * std::numbers::pi * r_o * height;
-  std::printf("loose: force on the outer ring %.1e N, at most %.1e N centrifugal\n", pressing,
-              2 * kinetic_energy(discs) / (r_o - a));
-  EXPECT_LE(pressing, 2 * kinetic_energy(discs) / (r_o - a));
-  expect_in_the_cell(discs, count, 1e-4 * a);
+  engine.run(packed(count) + rings(0.1) + "run 400000\n");
+  constexpr int samples = 500;
+  double pressing = 0, centrifugal = 0;
+  for (int k = 0; k < samples; ++k) {
+    EXPECT_EQ(value(engine, 1), 0);
+    EXPECT_EQ(value(engine, 3), 0);
+    pressing += value(engine, 4) * 2 * std::numbers::pi * r_o * height / samples;
+    centrifugal += 2 * kinetic_energy(engine.discs()) / (r_o - a) / samples;
+    engine.run("run 20 pre no post no\n");
+  }
+  std::printf("loose: force on the outer ring %.1e N, at most %.1e N centrifugal\n", pressing, centrifugal);
+  EXPECT_LE(pressing, 1.05 * centrifugal);
+  expect_in_the_cell(engine.discs(), count, 1e-4 * a);
 }
 
 // 10 1/s, the rim at 0.3 m/s. From the start of a run the work of the wheel is what the discs have gained and

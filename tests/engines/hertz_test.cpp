@@ -109,26 +109,24 @@ TEST(HertzImpact, ElasticReboundConvergesInTheTimeStep) {
   EXPECT_NEAR(order(coarse.rms_duration, fine.rms_duration, 4), 2, 0.3);
 }
 
-TEST(HertzImpact, WithDashpotConvergesWithOrderTwo) {
+TEST(HertzImpact, WithDashpotIsUnbiasedToOrderTwo) {
   constexpr double gamma_n = 0.05;
   const auto exact = integrate_impact(gamma_n), faster = integrate_impact(gamma_n, 1.01 * speed);
-  // The dashpot's force jumps at onset and at release; misplaced by a time that is uniform in +- dt/2, each
-  // jump would be an error of the velocity of gamma_n dt/(m12 sqrt(12)). The one at onset changes e_n as
-  // well, which grows with the velocity: s = 1 + dln e_n/dln v. The share of the step in contact leaves none
-  // of that.
+  // The dashpot's force jumps at onset and at release; each jump is misplaced by a time that is uniform in
+  // +- dt/2, an error of the velocity of gamma_n dt/(m12 sqrt(12)). The one at onset changes e_n as well,
+  // which grows with the velocity: s = 1 + dln e_n/dln v.
   const double s = 1 + std::log(faster.restitution / exact.restitution) / std::log(1.01);
   EXPECT_GT(s, 1);
   Errors errors[2];
   for (int k = 0; k < 2; ++k) {
     const double steps = 50 << (2 * k);
     errors[k] = errors_over_phases("", gamma_n, steps);
-    const double jumps = gamma_n * exact.duration / steps / m12 * std::sqrt((1 + s * s) / 12);
-    std::printf(
-        "dashpot, t_c/dt = %3.0f: e_n = %.4f off by %+.2e on average, scatter %.2e (of jumps: %.2e)\n", steps,
-        exact.restitution, errors[k].mean, errors[k].scatter, jumps);
-    EXPECT_LT(errors[k].scatter, 0.1 * jumps);
+    const double scatter = gamma_n * exact.duration / steps / m12 * std::sqrt((1 + s * s) / 12);
+    std::printf("dashpot, t_c/dt = %3.0f: e_n = %.4f off by %+.2e on average, scatter %.2e (jumps: %.2e)\n",
+                steps, exact.restitution, errors[k].mean, errors[k].scatter, scatter);
+    EXPECT_NEAR(errors[k].scatter / scatter, 1, 0.1);  // 8 x 8 phases and higher orders
   }
-  EXPECT_NEAR(order(errors[0].rms, errors[1].rms, 4), 2, 0.2);
+  EXPECT_NEAR(order(errors[0].mean, errors[1].mean, 4), 2, 0.3);
 }
 
 TEST(HertzImpact, WithoutDashpotHasTheForceOfADashpotOfZero) {

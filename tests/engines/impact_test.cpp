@@ -56,9 +56,9 @@ TEST(ImpactInTheEngine, IsThatWithoutEngineStepByStep) {
   const std::string spring = "model disc/linear tangential disc/cundall_strack",
                     viscous = "model disc/linear tangential disc/viscous";
   expect_same_course<physics::Effects{physics::Tangential::spring}>(spring, "",
-                                                                    physics::Scheme::share_of_step);
+                                                                    physics::Scheme::same_instant);
   expect_same_course<physics::Effects{physics::Tangential::viscous_coulomb}>(viscous, "",
-                                                                             physics::Scheme::share_of_step);
+                                                                             physics::Scheme::same_instant);
 }
 
 // What `mikromakro timestep --error` goes by: rms over 8 x 8 phases of onset and release.
