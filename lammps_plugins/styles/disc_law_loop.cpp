@@ -97,76 +97,6 @@ double DiscLaw::gather(int first) {
   return moved;
 }
 
-namespace {
-
-/// The largest square of the distance that any of the first discs has moved from where it was.
-FOR_EACH_PROCESSOR double furthest_squared(const DiscRow* discs,
-                                           const std::vector<physics::PlaneVector>& from) {
-  double furthest = 0;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    const double d_x = discs[i].x() - from[i].x, d_y = discs[i].y() - from[i].y;
-    furthest = std::max(furthest, d_x * d_x + d_y * d_y);
-  }
-  return furthest;
-}
-
-}  // namespace
-
-bool DiscLaw::neighbours_suffice() {
-  if (atom->nlocal == 0) return true;
-  const double trigger = neighbor->skin / 2 * (1 - 1e-6);  // more than any rounding
-  if (path_ + packed_.furthest < trigger) return true;
-  if (path_ >= 2 * trigger) return false;  // looked at before, and found close to the trigger
-  const double now = std::sqrt(furthest_squared(packed_.discs.data(), built_at_));
-  path_ = now < 0.9 * trigger ? now - packed_.furthest : 2 * trigger;
-  return now < 0.9 * trigger;
-}
-
-void DiscLaw::put_disc_into_engine(int i) {
-  const auto& disc = packed_.discs[i];
-  atom->x[i][0] = disc.x();
-  atom->x[i][1] = disc.y();
-  atom->v[i][0] = disc.motion[0];
-  atom->v[i][1] = disc.motion[1];
-  // Without friction spins do not change, and have not been read.
-  if (effects_.tangential != Tangential::none) atom->omega[i][2] = disc.motion[2];
-}
-
-void DiscLaw::put_discs_into_engine() {
-  for (int i = 0; i < atom->nlocal; ++i) put_disc_into_engine(i);
-}
-
-void DiscLaw::put_springs_into_engine() {
-  if (!springs_wait_) return;
-  for (int k = 0; k < near_.size(); ++k) {
-    double* history = histories_[near_.number(k)];
-    history[history_xi] = near_.xi(k);
-    history[history_slip_rate] = near_.slip_rate(k);
-  }
-  springs_wait_ = false;
-}
-
-/// Adds the loads of the owned discs to the engine's forces and torques, and leaves none for the next step.
-void DiscLaw::close() {
-  if (packed_.step == update->ntimestep) put_discs_into_engine();
-  put_springs_into_engine();
-  auto* f = reinterpret_cast<Vector3*>(atom->f[0]);
-  auto* torque = reinterpret_cast<Vector3*>(atom->torque[0]);
-  const int nlocal = atom->nlocal;
-  for (int i = 0; i < nlocal && forces_are_stale_; ++i) f[i][0] = f[i][1] = torque[i][2] = 0;
-  forces_are_stale_ = false;
-  for (int i = 0; i < nlocal; ++i) {
-    f[i][0] += packed_.loads[i].f_x();
-    f[i][1] += packed_.loads[i].f_y();
-  }
-  if (effects_.tangential != Tangential::none) {
-    for (int i = 0; i < nlocal; ++i) torque[i][2] += packed_.loads[i].torque(packed_.discs[i].radius());
-  }
-  std::fill(packed_.loads.begin(), packed_.loads.end(), DiscLoad{});
-  packed_.open = false;
-  packed_.step = -1;
-}
-
 /// Copies the engine's neighbour list, which it has just built, into one flat list of pairs.
 template <Effects effects>
 void DiscLaw::flatten(const NeighList& list) {
@@ -230,12 +160,6 @@ void DiscLaw::begin_and_end_contacts(ContactBatch& c, int first, int count, doub
     histories_[number][history_xi] = histories_[number][history_slip_rate] = 0;
     physics::begin_or_end_contact(c, k, predicted_, dt);
   }
-}
-
-void DiscLaw::remember_places() {
-  path_ = 0;
-  built_at_.clear();
-  for (int i = 0; i < atom->nlocal; ++i) built_at_.push_back({packed_.discs[i].x(), packed_.discs[i].y()});
 }
 
 template <Effects effects, bool observed>

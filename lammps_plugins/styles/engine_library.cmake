@@ -9,7 +9,8 @@ function(engine_library name kind)
   list(REMOVE_ITEM shared ${styles_folder}/launcher.cpp)
   add_library(${name} ${kind} ${shared} ${ARGN})
   # Nobody asks for errno or floating-point traps; without them the loops over contacts can be vectorised.
-  set_source_files_properties(${styles_folder}/fix_nve_disc.cpp ${styles_folder}/disc_law_loop.cpp PROPERTIES COMPILE_OPTIONS
+  set_source_files_properties(${styles_folder}/fix_nve_disc.cpp ${styles_folder}/disc_law_loop.cpp
+                              ${styles_folder}/disc_law_state.cpp PROPERTIES COMPILE_OPTIONS
                               "-fno-math-errno;-fno-trapping-math;-ffp-contract=off;-Wno-psabi")
   target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${styles_folder} ${styles_generated})
   target_link_libraries(${name} PUBLIC mikromakro_physics mikromakro_options MPI::MPI_CXX ${CMAKE_DL_LIBS})
