@@ -8,21 +8,21 @@ import numpy as np
 from accuracy import runs, scene
 from reproduction import profiles, sheet
 
-WEIGHTS = ("sliced", "centre", "gauss:0.002", "gauss:0.004", "lucy:0.008", "wendland:0.009")
-RINGS, FRAMES, REPETITIONS = (10, 20, 60, 150), (1, 3, 10, 30, 100, 300, 1000), 5
+TITLE = "Averages"
+WEIGHTS = ("sliced", "centre", "gauss:0.002", "gauss:0.004", "lucy:0.008")
+RINGS, FRAMES, REPETITIONS = (10, 20, 60, 150), (1, 3, 10, 30, 100), 5
 COLUMNS = {"nu": "nu", "v_phi": "v_phi", "pressure": "-tr sigma"}
 
 
 def snapshots():
-    """A thousand snapshots of the small cell, law with spring."""
-    folder = runs.engine("snapshots", scene.COUETTE, run="small", law="cundall_strack", discard_time=8, measure_time=30, snap_time=0.03, snapshot="on")
+    """Snapshots of the small cell within 30 s, law with spring: 500 of them, 1000 with --full."""
+    folder = runs.engine("snapshots", scene.COUETTE, run="small", law="cundall_strack", discard_time=8, measure_time=30, snap_time=0.03 if scene.cell is scene.FULL else 0.06, snapshot="on")
     return os.path.join(folder, "run.h5")
 
 
 def average(file, weight, rings, frames):
     """Columns of an average over the last frames, and the processor time that it took (s)."""
     out = os.path.join(runs.KEPT, "average.csv")
-    # Frames from the end: the number of frames is 1000 or 1001.
     first = total_frames(file) - frames
     command = [runs.MIKROMAKRO, "average", file, "--rings", str(profiles.R_I), "0.1782", str(rings), "--height", str(profiles.HEIGHT),
                "--bulk-types", "1", "2", "--weight", weight, "--frames", f"{first}:{first + frames - 1}", "--fields",
@@ -62,20 +62,20 @@ def off(columns, best, name):
 
 def over_frames(file, best):
     """Error of a column over the number of frames, and time per frame of each weight on 60 rings, in turn."""
-    errors = {name: [off(average(file, "sliced", 60, count)[0], best[60], name) for count in FRAMES[:-1]] for name in COLUMNS}
+    errors = {name: [off(average(file, "sliced", 60, count)[0], best[60], name) for count in FRAMES] for name in COLUMNS}
     times = {(weight, rings): [] for weight in WEIGHTS for rings in RINGS}
     for _ in range(REPETITIONS):
         for weight, rings in times:
-            times[weight, rings].append(1e3 * average(file, weight, rings, 100)[1] / 100)
+            times[weight, rings].append(1e3 * average(file, weight, rings, 50)[1] / 50)
     return errors, times
 
 
 def draw(errors, by_weight, times):
     drawing, (left, right) = sheet.axes(columns=2)
     for (name, label), marker, colour in zip(COLUMNS.items(), "osD", sheet.shades(3)):
-        left.loglog(FRAMES[:-1], errors[name], marker + "-", color=colour, ms=4, label=label)
-    left.loglog([1, 300], [0.3, 0.3 / np.sqrt(300)], "k--", lw=0.8, label="1/$\\sqrt{frames}$")
-    left.set(xlabel="frames", ylabel="rms difference from 1000 frames", title="60 rings, sliced")
+        left.loglog(FRAMES, errors[name], marker + "-", color=colour, ms=4, label=label)
+    left.loglog([1, 100], [0.3, 0.03], "k--", lw=0.8, label="1/$\\sqrt{frames}$")
+    left.set(xlabel="frames", ylabel="rms difference from all frames", title="60 rings, sliced")
     left.legend()
     for weight, marker, colour in zip(WEIGHTS, sheet.MARKERS, sheet.shades(len(WEIGHTS))):
         for rings, size in zip(RINGS, (3, 5, 7, 9)):
@@ -106,9 +106,7 @@ def section():
             "ms_per_frame": [np.median(times[key]) for key in times], "ms_least": [min(times[key]) for key in times],
             "ms_most": [max(times[key]) for key in times]}
     sheet.save_numbers("accuracy_averaging", kept, [
-        f"rms difference from sliced of the same rings and frames ({frames}), over its rms; processor time of 100 frames, {REPETITIONS} repetitions in turn"])
-    yield "## Averages"
-    yield ""
+        f"rms difference from sliced of the same rings and frames ({frames}), over its rms; processor time of 50 frames, {REPETITIONS} repetitions in turn"])
     yield "![averages](accuracy_averaging.png)"
     yield ""
     yield (f"{frames} snapshots of the small cell within 30 s, law with spring; rms difference over the rings from the sliced average of all frames "
@@ -122,7 +120,7 @@ def section():
         yield (f"| {weight} | {np.median(took):.2f} ({min(took):.2f} to {max(took):.2f}) | " +
                " | ".join(f"{by_weight[weight, rings][name]:.1e}" for rings in (20, 150) for name in COLUMNS) + " |")
     yield ""
-    fewer = [f"{count} frames: " + ", ".join(f"{label} {errors[name][k]:.1e}" for name, label in COLUMNS.items()) for k, count in enumerate(FRAMES[:-1])]
+    fewer = [f"{count} frames: " + ", ".join(f"{label} {errors[name][k]:.1e}" for name, label in COLUMNS.items()) for k, count in enumerate(FRAMES)]
     yield "Sliced averages of fewer frames, 60 rings: " + "; ".join(fewer) + "."
     yield ""
     yield "Snapshots rounded to 32 bits, 150 rings, all frames: " + ", ".join(f"{label} {single[name]:.0e}" for name, label in COLUMNS.items()) + "."

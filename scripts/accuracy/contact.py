@@ -8,6 +8,7 @@ import numpy as np
 
 from reproduction import sheet
 
+TITLE = "One contact"
 SCHEMES = {"half_step": "velocities of the half step (stock)", "same_instant": "of the same instant (ours)",
            "share_of_step": "and the share of the step in contact"}
 PANELS = (("linear with dashpot", "restitution", "linear, dashpot: $e_n$"), ("linear with dashpot", "duration", "linear, dashpot: duration"),
@@ -69,8 +70,6 @@ def section():
     draw(errors)
     drift = errors["linear elastic", "share_of_step", "energy"]
     at_rule = np.argmin(np.abs(drift[0] - 57))
-    yield "## One contact"
-    yield ""
     yield "![errors of an impact](accuracy_contact.png)"
     yield ""
     yield ("Two small discs of the paper's cell meet, head-on or at 45 degrees; rms over 8 x 8 phases of first contact and of release within a step "

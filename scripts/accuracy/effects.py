@@ -3,6 +3,7 @@ import numpy as np
 
 from accuracy import runs, scene
 
+TITLE = "Effects"
 BASE = {"law": "cundall_strack"}
 # Name, what it says, variables of inputs/couette/in.couette in which it differs from the base.
 EFFECTS = (("spring", "base: dashpot, Cundall-Strack spring", {}),
@@ -24,8 +25,6 @@ def section():
     steps = (2.5 + scene.cell.discard_time + scene.cell.measure_time) / DT
     cost = {name: 1e6 * np.array([runs.seconds(folder) for folder in folders[name]]) / steps for name in folders}
     base, base_cost = scene.over_seeds(folders["spring"]), np.median(cost["spring"])
-    yield "## Effects"
-    yield ""
     yield (f"{scene.cell.run}, t_c/54, {scene.cell.measure_time} s of shear after {scene.cell.discard_time} s, means and standard errors of "
            f"{len(scene.cell.seeds)} seeds; in brackets the difference from the base in per cent and in units "
            "of its standard error. Processor time of the whole run per step, output included: median (least to most) of the seeds, which ran in turn. "

@@ -101,7 +101,7 @@ TEST(StiffnessContrast, OfAHundredKeepsTheAccountOfEnergy) {
       energy_kept(a, a, 25, 0.04, 4e-6, 100000,
                   "unfix kn\nfix kn all property/global kn peratomtypepair 2 352.1 3521 3521 35210\n");
   std::printf("stiffness 1:100: energy and heat %.5f of the start\n", kept);
-  EXPECT_NEAR(kept, 1, 0.01);
+  EXPECT_NEAR(kept, 1, 1e-3);  // of an impact at t_c/48 velocity Verlet misses (pi/48)^2/12 = 3.6e-4
 }
 
 // A square lattice of overlaps of 20 % of the radius bursts: no energy comes from nowhere, none is lost sight
