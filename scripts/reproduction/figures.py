@@ -6,7 +6,7 @@ import numpy as np
 from reproduction import profiles, sheet
 from reproduction.profiles import DIAMETER, HEIGHT, K_N, OMEGA, R_I, R_O, from_wheel
 from reproduction.simulations import couette
-from reproduction.study import LAWS, RUNS, densities, named_runs
+from reproduction.study import LAWS, RUNS, densities
 
 LAW_NAMES = {"viscous": "Eq. 1", "cundall_strack": "spring"}
 DENSITY = "$\\bar\\nu$ with half\nwall discs"

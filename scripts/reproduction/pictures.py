@@ -24,7 +24,7 @@ def frame(simulation, index):
 
 
 def draw_discs(axes, position, radius, **colours):
-    axes.add_collection(EllipseCollection(2 * radius, 2 * radius, 0 * radius, units="xy", offsets=position, offset_transform=axes.transData, **colours))
+    return axes.add_collection(EllipseCollection(2 * radius, 2 * radius, 0 * radius, units="xy", offsets=position, offset_transform=axes.transData, **colours))
 
 
 def draw_chains(axes, ends, force, scale):

@@ -7,6 +7,8 @@ import subprocess
 
 import numpy as np
 
+from reproduction.simulations import couette_times
+
 MIKROMAKRO = os.path.join("build", "bin", "mikromakro")
 R_I, R_O, HEIGHT, OMEGA, K_N, MU = 0.1032, 0.2524, 0.006, 0.1, 352.1, 0.44
 # The mean diameter of the mixture of run B (m), for distances as the paper's Bild 12 gives them.
@@ -62,10 +64,11 @@ def fit(simulation, count, omega=OMEGA):
     return json.loads(cached(path, lambda: run("fit", rows, "--ri", str(R_I), "--omega", str(omega), "--json")))
 
 
-def wheel(simulation, first_time=65.33):
-    """wheel.txt from `first_time` (s) on: step, torques (N m), pressures (Pa), angle, power, kinetic energy."""
+def wheel(simulation):
+    """wheel.txt since the first snapshot: step, torques (N m), pressures (Pa), angle, power, kinetic energy."""
     rows = np.loadtxt(os.path.join(simulation.folder, "wheel.txt"))
-    return rows[rows[:, 0] * 4e-5 > first_time]
+    times = couette_times(dict(simulation.variables))
+    return rows[rows[:, 0] * simulation.time_step > sum(times.values()) - times["measure_time"]]
 
 
 def mean_and_error(values, blocks=10):

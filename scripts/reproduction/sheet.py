@@ -26,14 +26,14 @@ def axes(columns=1, rows=1, width=5.4, height=3.9, **options):
     return figure, sheet
 
 
-def save_picture(figure, name, dots_per_inch=110, **options):
+def save_picture(figure, name, dots_per_inch=110, colours=64, **options):
     """As PNG, which all browsers and printers show alike, and small."""
     os.makedirs(RESULTS, exist_ok=True)
     path = os.path.join(RESULTS, f"{name}.png")
     drawn = io.BytesIO()
     figure.savefig(drawn, dpi=dots_per_inch, format="png", **options)
     plt.close(figure)
-    Image.open(drawn).convert("RGB").quantize(64).save(path, optimize=True)
+    Image.open(drawn).convert("RGB").quantize(colours).save(path, optimize=True)
     return path
 
 

@@ -149,11 +149,15 @@ def couette(small, large, law, seed=1, **others):
     """A run of the full protocol: dilute start, compaction, one turn discarded, 60 s with snapshots."""
     variables = {"run": "A", "n_small": small, "n_large": large, "law": law, "seed": seed, **others}
     more = "".join(f"_{name}{value}" for name, value in others.items())
-    times = {"compact_time": 2.0, "relax_time": 0.5, "discard_time": 62.83, "measure_time": 60.0}
     time_step = 4.0e-5
-    seconds = sum(float(others.get(name, default)) for name, default in times.items())
     return Simulation(f"couette_{small}+{large}_{law}_seed{seed}{more}", os.path.join("inputs", "couette", "in.couette"),
-                      tuple(variables.items()), time_step, seconds / time_step)
+                      tuple(variables.items()), time_step, sum(couette_times(variables).values()) / time_step)
+
+
+def couette_times(variables):
+    """How long the parts of a run of the shear cell last (s), in their order."""
+    defaults = {"compact_time": 2.0, "relax_time": 0.5, "discard_time": 62.83, "measure_time": 60.0}
+    return {name: float(variables.get(name, default)) for name, default in defaults.items()}
 
 
 def isotropic(sizes, a_small, a_large, pressure=200, mu=0.5, discs=600, seed=1):
@@ -162,3 +166,11 @@ def isotropic(sizes, a_small, a_large, pressure=200, mu=0.5, discs=600, seed=1):
     name = f"isotropic_{sizes}_{1e3 * a_small:g}_{1e3 * a_large:g}_p{pressure}_mu{mu}_n{discs}_seed{seed}"
     # A step of 600 discs costs a sixth of one of the shear cell.
     return Simulation(name, os.path.join("inputs", "biaxial", "in.bidisperse"), tuple(variables.items()), 1.7e-7, 0.4 / 1.7e-7 / 6)
+
+
+def biaxial(seed=1, **others):
+    """The biaxial test with the defaults of its script."""
+    variables = {"seed": seed, **others}
+    more = "".join(f"_{name}{value}" for name, value in others.items())
+    # A step of 1950 discs costs as much as one of the shear cell.
+    return Simulation(f"biaxial_seed{seed}{more}", os.path.join("inputs", "biaxial", "in.biaxial"), tuple(variables.items()), 1.7e-7, 0.62 / 1.7e-7)

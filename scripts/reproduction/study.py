@@ -1,5 +1,5 @@
 """Which simulations the figures need."""
-from reproduction.simulations import couette, isotropic
+from reproduction.simulations import biaxial, couette, isotropic
 
 LAWS = ("viscous", "cundall_strack")
 # Small and large discs: from below the density at which the wheel loses its contacts to above that at which the cell freezes.
@@ -9,9 +9,9 @@ RUNS = {"A": (2511, 400), "B": (2545, 394), "C": (2555, 399)}
 SEEDS = (1, 2, 3)
 
 
-def named_runs(law):
-    """A, B and C with all their seeds."""
-    return [couette(*numbers, law, seed) for seed in SEEDS for numbers in RUNS.values()]
+def seeds(run, law):
+    """One of the runs A, B, C with all its seeds."""
+    return [couette(*RUNS[run], law, seed) for seed in SEEDS]
 
 
 def densities(law):
@@ -31,6 +31,26 @@ def slow_run():
     return couette(*RUNS["B"], "viscous", omega=0.02, discard_time=314.16, measure_time=300, snap_time=2.5)
 
 
+# Section 2.4: what is changed, and the densities (small and large discs) around both thresholds. These runs are shorter: a third of a turn
+# is discarded, a third averaged.
+SHORTER = {"discard_time": 20.94, "measure_time": 20.94}
+BOTTOM = {"mu_b": 2e-5}
+LADDER = ((2391, 400), (2431, 400), (2471, 400), (2511, 400), (2530, 397), (2545, 394), (2600, 400), (2640, 400), (2690, 400))
+CASES = {
+    "Eq. 1": ("viscous", {}, LADDER),
+    "Eq. 1, bottom": ("viscous", BOTTOM, LADDER[1:5]),
+    "spring": ("cundall_strack", {}, LADDER),
+    "spring, bottom": ("cundall_strack", BOTTOM, LADDER[1:5]),
+    "spring, $k_t/k_n$ = 0.2": ("cundall_strack", {"kt_over_kn": 0.2}, LADDER[2:6]),
+    "spring, $k_t/k_n$ = 0.05": ("cundall_strack", {"kt_over_kn": 0.05}, LADDER[2:6]),
+}
+
+
+def ladder(case):
+    law, changed, numbers = CASES[case]
+    return [couette(*one, law, **changed, **SHORTER) for one in numbers]
+
+
 # Bild 6: eight uniform distributions of radii (mm), half the width over the mean, and three of two sizes.
 WIDTHS = (0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5)
 RATIOS = (1.5, 2, 3)
@@ -48,3 +68,7 @@ def size_distributions():
 
 def bidisperse():
     return isotropic("bidisperse", 0.0005, 0.0015)
+
+
+def biaxial_test():
+    return biaxial(frames=300)

@@ -1,0 +1,160 @@
+"""The paper's numbers beside ours: quantities of the runs A, B, C over their seeds, and single ones."""
+import dataclasses
+import functools
+
+import numpy as np
+
+from reproduction import profiles, regimes
+from reproduction.figures import LAW_NAMES, run_b
+from reproduction.profiles import HEIGHT, K_N, R_I, R_O, from_wheel
+from reproduction.simulations import isotropic
+from reproduction.study import LAWS, RUNS, SEEDS, seeds
+
+
+@dataclasses.dataclass
+class Quantity:
+    """A number of one run of the shear cell, and what the paper has for it (None: no number)."""
+
+    name: str
+    paper: float
+    value: object  # run -> number
+    remark: str
+    digits: int = 3
+
+
+@dataclasses.dataclass
+class Group:
+    """Part of a table that is made by its name."""
+
+    title: str
+    simulations: list
+    make: object
+
+
+def over_seeds(values):
+    """Mean and standard error of independent runs."""
+    return np.mean(values), np.std(values, ddof=1) / np.sqrt(len(values))
+
+
+def cell(mean, error, paper, digits):
+    """Ours with its error, and its distance from the paper's value in such errors."""
+    away = "" if paper is None else f" ({(mean - paper) / error:+.1f})"
+    return f"{mean:.{digits}f} ± {error:.{digits}f}{away}"
+
+
+def rings(run):
+    return profiles.rings(run, 60)
+
+
+def zone(columns, first, last):
+    """Rings from `first` to `last` mm from the wheel."""
+    return (from_wheel(columns) > first) & (from_wheel(columns) < last)
+
+
+def constant_part(columns):
+    """Rings that are not at the rings of wall discs."""
+    return zone(columns, 8, 1e3 * (R_O - R_I) - 8)
+
+
+def gradient_at_wheel(run, sign):
+    """Of v0 exp(-(r - R_i)/s) at R_i: (dv/dr -+ v/r)/2."""
+    one = profiles.fit(run, 60)
+    return -0.5 * (one["v0"] / one["s"] + sign * one["v0"] / R_I)
+
+
+def scatter(values):
+    return np.std(values) / np.abs(np.mean(values))
+
+
+def pressure_scatter(run):
+    return scatter(rings(run)["tr_sigma"][constant_part(rings(run))])
+
+
+def torque_of_stress(run):
+    columns = rings(run)
+    return (2 * np.pi * columns["r"] ** 2 * HEIGHT * columns["sigma_phir"])[constant_part(columns)]
+
+
+def stiffness_slope(run):
+    columns = profiles.rings(run, 150)
+    good = np.isfinite(columns["E"]) & (columns["tr_F"] > 0.5)
+    fabric = columns["tr_F"][good]
+    return np.sum(2 * np.pi * columns["E"][good] * fabric) / np.sum(fabric**2)
+
+
+QUANTITIES = (
+    Quantity("v0/(Omega R_i)", 0.645, lambda run: profiles.fit(run, 60)["v0_scaled"], "exponential on 60 rings"),
+    Quantity("s (mm)", 12.7, lambda run: 1e3 * profiles.fit(run, 60)["s"], "the same", 1),
+    Quantity("D_rphi at R_i (1/s)", -0.294, lambda run: gradient_at_wheel(run, 1), "of the fit; the paper's is that of its fit"),
+    Quantity("W_rphi at R_i (1/s)", -0.230, lambda run: gradient_at_wheel(run, -1), "the same"),
+    Quantity("scatter of tr sigma over r", None, pressure_scatter, "rms over mean, 8 mm from the rings on; the paper: nearly constant"),
+    Quantity("scatter of r^2 sigma_phir over r", None, lambda run: scatter(torque_of_stress(run)), "the same; 0 by balance of the torque"),
+    Quantity("2 pi r^2 h sigma_phir over the wheel torque", 1, lambda run: torque_of_stress(run).mean() / profiles.wheel(run)[:, 1].mean(),
+             "mean of the rings; stress of the snapshots against the torque of all steps; 1 by balance"),
+    Quantity("slope of 2 pi E h/k_n over tr F", None, stiffness_slope,
+             "150 rings; the paper: one line for all densities; identity: 1 for an isotropic fabric, up to 1.07", 4),
+)
+
+
+def cells(run, law):
+    """By quantity, of one of the runs A, B, C."""
+    return {one.name: cell(*over_seeds([one.value(seed) for seed in seeds(run, law)]), one.paper, one.digits) for one in QUANTITIES}
+
+
+def column(run, law):
+    return f"{run}_{law}"
+
+
+GROUPS = {column(run, law): Group(f"the table's run {run} under {LAW_NAMES[law]}", seeds(run, law), functools.partial(cells, run, law))
+          for law in LAWS for run in RUNS}
+
+SAMPLES = [isotropic("bidisperse", 0.0005, 0.0015, seed=seed) for seed in SEEDS]
+
+
+def fabric_factor():
+    boxes = [profiles.box(run) for run in SAMPLES]
+    ours = [box["tr_F"][0] / (box["nu"][0] * box["coordination_number_averaged"][0]) for box in boxes]
+    return [["g_2 of the radii, 1:3", "1.223", f"{boxes[0]['g2'][0]:.4f}", "Eq. 10, half of the discs of either radius"],
+            ["tr F/(nu C), radii 1:3", "1.223", cell(*over_seeds(ours), 1.223, 3), "three samples of 600 discs at rest under 200 N/m"]]
+
+
+def angle(run, tensor):
+    """Mean direction (degrees) of the major axes from 8 to 40 mm from the wheel."""
+    columns = rings(run)
+    doubled = np.radians(2 * columns[f"angle_{tensor}"][zone(columns, 8, 40)])
+    return np.degrees(np.angle(np.mean(np.exp(1j * doubled)))) / 2
+
+
+def ordered_angles(run):
+    angles = sorted((angle(run, tensor), name) for name, tensor in (("sigma", "sigma"), ("epsilon", "eps"), ("F", "F")))
+    return " < ".join(f"{name} {value:.1f}" for value, name in angles) + " degrees"
+
+
+def layer_spins(run):
+    """omega_excess in the middle of the first four layers."""
+    columns = rings(run)
+    layers = np.interp([[0.5], [1.5], [2.5], [3.5]], from_wheel(columns) / 7.42, np.arange(len(columns["r"]))).round().astype(int).ravel()
+    return ", ".join(f"{columns['omega_excess'][k]:+.3f} ± {columns['omega_excess_err'][k]:.3f}" for k in layers)
+
+
+def rotational_stiffness(run, first, last):
+    """mu_c h/k_n, the median of rings: a quotient whose divisor comes near 0."""
+    columns = rings(run)
+    return np.nanmedian(columns["mu_c"][zone(columns, first, last)]) * HEIGHT / K_N
+
+
+def trends():
+    """What the paper says without a number, each of one run."""
+    found = [[f"{name}, run B, {LAW_NAMES[law]}", paper, value(run_b(law)), remark] for name, paper, value, remark in (
+        ("omega_excess in the first four layers (1/s)", "sign alternates", layer_spins, "rings nearest to the middles of layers of 7.42 mm; errors of blocks of frames"),
+        ("major axes from e_r", "not co-linear", ordered_angles, "means from 8 to 40 mm from the wheel")) for law in LAWS]
+    runs = {f"{profiles.solid_fractions(run)[1]:.4f}": run for run in regimes.ladder("spring")}
+    for name, first, last in (("within 15 mm of the wheel", 0, 15), ("45 to 120 mm from it", 45, 120)):
+        values = ", ".join(f"{rotational_stiffness(run, first, last):.3f} at {density}" for density, run in runs.items())
+        found.append([f"mu_c h/k_n {name}, spring", "lower in the shear zone, rises with density", values, "medians of rings; runs of the regimes"])
+    return found
+
+
+GROUPS["trends"] = Group("the table's trends", [*map(run_b, LAWS), *regimes.ladder("spring")], trends)
+GROUPS["g2"] = Group("the table's g_2", SAMPLES, fabric_factor)
+GROUPS["thresholds"] = Group("the table's thresholds", regimes.simulations(), regimes.rows)
