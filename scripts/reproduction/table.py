@@ -4,11 +4,11 @@ import functools
 
 import numpy as np
 
-from reproduction import profiles, regimes
+from reproduction import profiles, thresholds
 from reproduction.figures import LAW_NAMES, run_b
 from reproduction.profiles import HEIGHT, K_N, R_I, R_O, from_wheel
 from reproduction.simulations import isotropic
-from reproduction.study import LAWS, RUNS, SEEDS, seeds
+from reproduction.study import CASES, LAWS, RUNS, SEEDS, ladder, seeds
 
 
 @dataclasses.dataclass
@@ -148,13 +148,14 @@ def trends():
     found = [[f"{name}, run B, {LAW_NAMES[law]}", paper, value(run_b(law)), remark] for name, paper, value, remark in (
         ("omega_excess in the first four layers (1/s)", "sign alternates", layer_spins, "rings nearest to the middles of layers of 7.42 mm; errors of blocks of frames"),
         ("major axes from e_r", "not co-linear", ordered_angles, "means from 8 to 40 mm from the wheel")) for law in LAWS]
-    runs = {f"{profiles.solid_fractions(run)[1]:.4f}": run for run in regimes.ladder("spring")}
-    for name, first, last in (("within 15 mm of the wheel", 0, 15), ("45 to 120 mm from it", 45, 120)):
-        values = ", ".join(f"{rotational_stiffness(run, first, last):.3f} at {density}" for density, run in runs.items())
-        found.append([f"mu_c h/k_n {name}, spring", "lower in the shear zone, rises with density", values, "medians of rings; runs of the regimes"])
+    for case in CASES:
+        for name, first, last in (("within 15 mm of the wheel", 0, 15), ("45 to 120 mm from it", 45, 120)):
+            values = [f"{rotational_stiffness(run, first, last):.3f} at {profiles.solid_fractions(run)[1]:.4f}" for run in ladder(case)]
+            found.append([f"mu_c h/k_n {name}, {case}", "lower in the shear zone, rises with density", ", ".join(values),
+                          "medians of rings, by density; runs of the thresholds"])
     return found
 
 
-GROUPS["trends"] = Group("the table's trends", [*map(run_b, LAWS), *regimes.ladder("spring")], trends)
+GROUPS["trends"] = Group("the table's trends", [*map(run_b, LAWS), *thresholds.simulations()], trends)
 GROUPS["g2"] = Group("the table's g_2", SAMPLES, fabric_factor)
-GROUPS["thresholds"] = Group("the table's thresholds", regimes.simulations(), regimes.rows)
+GROUPS["critical_densities"] = Group("the table's thresholds", thresholds.simulations(), thresholds.rows)
