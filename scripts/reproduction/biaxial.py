@@ -11,7 +11,7 @@ from reproduction.pictures import draw_discs
 from reproduction.study import biaxial_test
 
 # Axial strains between which displacements and rotations are taken.
-FROM, TO = 0.04, 0.08
+FROM, TO = 0.02, 0.045
 
 
 def course(run):
@@ -51,9 +51,13 @@ def draw_field(axes, drawing, position, radius, values, colours, limits, name):
     drawing.colorbar(discs, ax=axes, label=name, shrink=0.9)
 
 
+def turns_most(rotation):
+    return np.abs(rotation) > np.quantile(np.abs(rotation), 0.85)
+
+
 def draw_paths(axes, positions, rotation):
-    paths = positions[::10].transpose(1, 0, 2)
-    strong = np.abs(rotation) > np.quantile(np.abs(rotation), 0.85)
+    paths = positions[::5].transpose(1, 0, 2)
+    strong = turns_most(rotation)
     for chosen, colour, width in ((~strong, "#9bb7dd", 0.7), (strong, "#b40426", 1.3)):
         axes.add_collection(LineCollection(paths[chosen], colors=colour, linewidths=width))
 
@@ -68,7 +72,7 @@ def draw_course(axes, axial, ratio, volumetric):
     other.grid(False)
 
 
-@figure("biaxial", "The biaxial test: a shear band and its rotations", [biaxial_test()])
+@figure("biaxial", "The biaxial test: shear bands and rotations", [biaxial_test()])
 def biaxial():
     run = biaxial_test()
     step, axial, ratio, volumetric = course(run)
@@ -87,12 +91,18 @@ def biaxial():
         axes.set(aspect="equal", xlabel="x (mm)", ylabel="y (mm)", title=title, xlim=(low[0], high[0]), ylim=(low[1], high[1]))
         axes.grid(False)
     sheets[1, 1].set_title("(d) stress ratio and dilatancy")
-    sheet.save_picture(drawing, "biaxial", dots_per_inch=90, colours=192)
+    sheet.save_picture(drawing, "biaxial", dots_per_inch=90, colours=256)
     sheet.save_numbers("biaxial", {"axial_strain": axial, "stress_ratio": ratio, "volumetric_strain": volumetric, "x_mm": end[:, 0], "y_mm": end[:, 1],
                                    "radius_mm": radius, "rotation_degrees": rotation, "local_shear_strain": shear / 100},
                        [f"rows of shear.txt; then the discs at {TO:g} of axial strain, rotation and local shear since {FROM:g}"])
-    return caption(rotation, shear)
+    return caption(rotation, shear, volumetric)
 
 
-def caption(rotation, shear):
-    return f"{np.corrcoef(np.abs(rotation), shear)[0, 1]:.2f}"
+def caption(rotation, shear, volumetric):
+    strong = turns_most(rotation)
+    return ("1950 discs with radii from 0.5 to 1.5 mm between smooth walls: the top moves down, the right wall yields to 200 N/m. Between the axial strains "
+            f"{100 * FROM:g} and {100 * TO:g} % (grey in d): (a) rotation of each disc, the sum of its spin over the snapshots; the darker, the more it has turned. "
+            "(b) Paths of the discs, those that turn most, 15 % of all, dark, as in Bild 1 b. (c) Local shear strain, the deviator of the strain that fits the "
+            "displacements within 4 mm best: it is localised in bands. (d) Stress ratio and volumetric strain: the sample contracts by "
+            f"{-100 * volumetric.min():.2f} % before it dilates, to {100 * volumetric[-1]:+.2f} % at the end. "
+            f"Where discs turn, the sample shears: the local shear strain is {shear[strong].mean():.1f} % at those 15 %, {shear[~strong].mean():.1f} % at the others.")
