@@ -28,31 +28,39 @@ def frames(run):
         return discs["position/step"][:], 1e3 * discs["position/value"][:, :, :2], discs["spin/value"][:], 1e3 * discs["radius/value"][0]
 
 
-def turned(steps, spin, time_step):
-    """Rotation of each disc (degrees) over all snapshots, by the trapezoidal rule."""
-    return np.degrees(np.sum(0.5 * (spin[1:] + spin[:-1]) * np.diff(steps)[:, None] * time_step, axis=0))
+def neighbours(position, radius, reach=4.0):
+    """Which discs are near which, within `reach` mean radii: a row for each disc."""
+    return np.hypot(*(position[:, None] - position[None]).transpose(2, 0, 1)) < reach * radius.mean()
 
 
-def local_shear(before, after, radius, reach=4.0):
-    """Deviator of the strain that fits the displacements of the discs around each one best, within `reach` mean radii."""
+def local_rotation(steps, spin, time_step, near):
+    """Root of the mean square of the rotations (degrees) of the discs around each one. A sum of momentary spins is the rotation and noise, since the
+    springs of the contacts swing; the product of two sums, over every other snapshot each, has the mean of the squared rotation."""
+    first, second = ((steps[-1] - steps[0]) * time_step * spin[start:-1:2].mean(axis=0) for start in (0, 1))
+    product = np.array([np.mean((first * second)[around]) for around in near])
+    return np.degrees(np.sqrt(np.clip(product, 0, None)))
+
+
+def local_shear(before, after, near):
+    """Deviator of the strain that fits the displacements of the discs around each one best."""
     shear = np.empty(len(before))
-    distance = np.hypot(*(before[:, None] - before[None]).transpose(2, 0, 1))
-    for k, near in enumerate(distance < reach * radius.mean()):
-        start = before[near] - before[near].mean(axis=0)
-        moved = (after - before)[near]
+    for k, around in enumerate(near):
+        start = before[around] - before[around].mean(axis=0)
+        moved = (after - before)[around]
         gradient = np.linalg.lstsq(start, moved - moved.mean(axis=0), rcond=None)[0]
         shear[k] = np.hypot(gradient[0, 0] - gradient[1, 1], gradient[0, 1] + gradient[1, 0])
     return shear
 
 
-def draw_field(axes, drawing, position, radius, values, colours, limits, name):
+def draw_field(axes, drawing, position, radius, values, name):
     """Discs in the shade of a value, which the bar beside them names."""
-    discs = draw_discs(axes, position, radius, array=values, cmap=colours, clim=limits, edgecolors="0.5", linewidths=0.1)
+    limits = (0, np.quantile(values, 0.98))
+    discs = draw_discs(axes, position, radius, array=values, cmap="Greys", clim=limits, edgecolors="0.5", linewidths=0.1)
     drawing.colorbar(discs, ax=axes, label=name, shrink=0.9)
 
 
 def turns_most(rotation):
-    return np.abs(rotation) > np.quantile(np.abs(rotation), 0.85)
+    return rotation > np.quantile(rotation, 0.85)
 
 
 def draw_paths(axes, positions, rotation):
@@ -78,31 +86,32 @@ def biaxial():
     step, axial, ratio, volumetric = course(run)
     steps, positions, spin, radius = frames(run)
     first, last = (int(np.argmin(np.abs(np.interp(steps, step, axial) - strain))) for strain in (FROM, TO))
-    rotation = turned(steps[first:last + 1], spin[first:last + 1], run.time_step)
-    shear = 100 * local_shear(positions[first], positions[last], radius)
+    near = neighbours(positions[first], radius)
+    rotation = local_rotation(steps[first:last + 1], spin[first:last + 1], run.time_step, near)
+    shear = 100 * local_shear(positions[first], positions[last], near)
     drawing, sheets = sheet.axes(columns=2, rows=2, width=5.0, height=4.3)
     end = positions[last]
-    draw_field(sheets[0, 0], drawing, end, radius, rotation, "coolwarm", (-40, 40), "rotation (degrees), counter-clockwise positive")
+    draw_field(sheets[0, 0], drawing, end, radius, rotation, "rotation, rms within 4 mm (degrees)")
     draw_paths(sheets[0, 1], positions[first:last + 1], rotation)
-    draw_field(sheets[1, 0], drawing, end, radius, shear, "Greys", (0, 30), "local shear strain (%)")
+    draw_field(sheets[1, 0], drawing, end, radius, shear, "local shear strain (%)")
     draw_course(sheets[1, 1], axial, ratio, volumetric)
-    for axes, title in zip(sheets.flat, ("(a) rotation of the discs", "(b) paths; dark: the discs that turn most", "(c) where the sample shears")):
+    for axes, title in zip(sheets.flat, ("(a) rotation of the discs", "(b) paths; dark: where discs turn most", "(c) where the sample shears")):
         low, high = end.min(axis=0) - 2, end.max(axis=0) + 2
         axes.set(aspect="equal", xlabel="x (mm)", ylabel="y (mm)", title=title, xlim=(low[0], high[0]), ylim=(low[1], high[1]))
         axes.grid(False)
     sheets[1, 1].set_title("(d) stress ratio and dilatancy")
-    sheet.save_picture(drawing, "biaxial", dots_per_inch=90, colours=256)
+    sheet.save_picture(drawing, "biaxial", dots_per_inch=90, colours=96)
     sheet.save_numbers("biaxial", {"axial_strain": axial, "stress_ratio": ratio, "volumetric_strain": volumetric, "x_mm": end[:, 0], "y_mm": end[:, 1],
-                                   "radius_mm": radius, "rotation_degrees": rotation, "local_shear_strain": shear / 100},
-                       [f"rows of shear.txt; then the discs at {TO:g} of axial strain, rotation and local shear since {FROM:g}"])
+                                   "radius_mm": radius, "local_rotation_degrees": rotation, "local_shear_strain": shear / 100},
+                       [f"rows of shear.txt; then the discs at {TO:g} of axial strain, local rotation and local shear since {FROM:g}"])
     return caption(rotation, shear, volumetric)
 
 
 def caption(rotation, shear, volumetric):
     strong = turns_most(rotation)
     return ("1950 discs with radii from 0.5 to 1.5 mm between smooth walls: the top moves down, the right wall yields to 200 N/m. Between the axial strains "
-            f"{100 * FROM:g} and {100 * TO:g} % (grey in d): (a) rotation of each disc, the sum of its spin over the snapshots; the darker, the more it has turned. "
-            "(b) Paths of the discs, those that turn most, 15 % of all, dark, as in Bild 1 b. (c) Local shear strain, the deviator of the strain that fits the "
+            f"{100 * FROM:g} and {100 * TO:g} % (grey in d): (a) root mean square of the rotations of the discs within 4 mm; a round spot is one disc without contacts that spins. "
+            "(b) Paths of the discs; dark where they turn most, 15 % of all, as in Bild 1 b. (c) Local shear strain, the deviator of the strain that fits the "
             "displacements within 4 mm best: it is localised in bands. (d) Stress ratio and volumetric strain: the sample contracts by "
             f"{-100 * volumetric.min():.2f} % before it dilates, to {100 * volumetric[-1]:+.2f} % at the end. "
             f"Where discs turn, the sample shears: the local shear strain is {shear[strong].mean():.1f} % at those 15 %, {shear[~strong].mean():.1f} % at the others.")
