@@ -21,11 +21,11 @@ def snapshots():
 
 
 def average(file, weight, rings, frames):
-    """Columns of an average over the last frames, and the processor time that it took (s)."""
+    """Columns of an average over so many frames, evenly spread, and the processor time that it took (s)."""
     out = os.path.join(runs.KEPT, "average.csv")
-    first = total_frames(file) - frames
+    step = (total_frames(file) - 1) // frames
     command = [runs.MIKROMAKRO, "average", file, "--rings", str(profiles.R_I), "0.1782", str(rings), "--height", str(profiles.HEIGHT),
-               "--bulk-types", "1", "2", "--weight", weight, "--frames", f"{first}:{first + frames - 1}", "--fields",
+               "--bulk-types", "1", "2", "--weight", weight, "--frames", f"1:{step * frames}:{step}", "--fields",
                "solid_fraction,velocity,stress", "--error-blocks", "0", "--threads", "1", "--quiet", "--out", out]
     seconds = runs.timed(command, os.path.join(runs.KEPT, "average.txt"))
     with open(out) as text:
@@ -121,6 +121,6 @@ def section():
                " | ".join(f"{by_weight[weight, rings][name]:.1e}" for rings in (20, 150) for name in COLUMNS) + " |")
     yield ""
     fewer = [f"{count} frames: " + ", ".join(f"{label} {errors[name][k]:.1e}" for name, label in COLUMNS.items()) for k, count in enumerate(FRAMES)]
-    yield "Sliced averages of fewer frames, 60 rings: " + "; ".join(fewer) + "."
+    yield "Sliced averages of fewer frames, evenly spread, 60 rings: " + "; ".join(fewer) + "."
     yield ""
     yield "Snapshots rounded to 32 bits, 150 rings, all frames: " + ", ".join(f"{label} {single[name]:.0e}" for name, label in COLUMNS.items()) + "."
