@@ -74,7 +74,8 @@ TEST(TimeStepForAnError, KeepsIt) {
   const double steps = physics::steps_for_error<physics::Effects{}>(impact, wanted);
   double squares = 0;
   for (int k = 0; k < 64; ++k) {
-    const double onset = (k / 8 + 0.5) / 8, step = impact.duration / (steps + k % 8 / 8.0);
+    const int row = k / 8;
+    const double onset = (row + 0.5) / 8, step = impact.duration / (steps + k % 8 / 8.0);
     Engine engine;
     engine.run(scene("model disc/linear tangential off", material));
     engine.run(disc(1, 0, 0, radius) + disc(2, 2 * radius + onset * step * v_n, 0, radius));

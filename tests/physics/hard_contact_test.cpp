@@ -96,10 +96,12 @@ double largest_gain(const ContactParameters& law, double steps) {
   double gain = -1;
   for (double v_t = 0.1; v_t < 1000; v_t *= 1.5) {
     const Impact impact{law, radius, mass, 1e-6, v_t * 1e-6, contact_duration(k_n, law.normal_damping, m12)};
-    for (int phase = 0; phase < 16; ++phase) {
-      const auto after =
-          rebound<effects>(impact, steps + phase % 4 / 4.0, (phase / 4 + 0.5) / 4, Scheme::same_instant);
-      gain = std::max(gain, after[energy_left] - 1);
+    for (int onset = 0; onset < 4; ++onset) {
+      for (int release = 0; release < 4; ++release) {
+        const auto after =
+            rebound<effects>(impact, steps + release / 4.0, (onset + 0.5) / 4, Scheme::same_instant);
+        gain = std::max(gain, after[energy_left] - 1);
+      }
     }
   }
   return gain;
