@@ -9,6 +9,7 @@
 
 #include "physics/contact_law.h"
 #include "physics/disc_rows.h"
+#include "physics/inverse_root.h"
 
 namespace mikromakro::physics {
 
@@ -17,21 +18,28 @@ struct DiscPair {
   int i, j;
 };
 
+/// Springs of the pairs of a batch, which stay with the pairs: xi [m] and slip rate [m/s] as in
+/// contact_law.h, and whether the discs touched in the step before.
+struct SpringLanes {
+  static constexpr int lanes = 64;
+  alignas(64) double xi[lanes], slip_rate[lanes];
+  alignas(64) std::int64_t touched[lanes];
+};
+
 /// Pairs of discs 1 and 2, one for each lane; units and signs as in contact_law.h. A lane whose discs do not
 /// touch carries no force. The lanes of a batch fit into the first cache of any processor.
 struct ContactBatch {
-  static constexpr int lanes = 64;
+  static constexpr int lanes = SpringLanes::lanes;
   using Lanes = double[lanes];
 
   // in: from the centre of 1 to that of 2, sum and difference of the radii (2 - 1), velocity of 1 relative to
   // 2, sum of the spins, of spin times radius
   alignas(64) Lanes d_x, d_y, reach, radius_difference, w_x, w_y, spin, rim_speed;
   // in: material
-  alignas(64) Lanes k_n, gamma_n, k_t, gamma_t, mu;
-  // for laws with a spring; in: whether the discs touched in the step before
-  alignas(64) std::int64_t touched[lanes];
-  // in and out: the spring, its slip rate in the middle of a step; in: the slip of this step
-  alignas(64) Lanes xi, slip_rate, slip;
+  alignas(64) Lanes k_n, gamma_n, k_t, gamma_t, mu, tangential_compliance;
+  // for laws with a spring; in and out: the springs; in: the slip of this step
+  SpringLanes* springs = nullptr;
+  alignas(64) Lanes slip;
   // out: geometry, law, force on 1
   alignas(64) Lanes n_x, n_y, overlap, v_n, v_t;
   alignas(64) Lanes f_n, f_t, f_x, f_y;
@@ -44,8 +52,11 @@ struct ContactBatch {
     k_t[k] = p.tangential_stiffness;
     gamma_t[k] = p.tangential_damping;
     mu[k] = p.friction;
+    tangential_compliance[k] = 1 / p.tangential_stiffness;
   }
   bool touches(int k) const { return overlap[k] > 0; }
+  /// Whether there is a distance between the centres, and so a normal.
+  bool is_defined(int k) const { return overlap[k] < reach[k]; }
 };
 
 /// The first `count` lanes are evaluated in groups of eight, which all processors like; those behind the last
@@ -119,8 +130,8 @@ template <Effects effects>
 [[gnu::always_inline]] inline BatchState contact_geometry(ContactBatch& c, int count) {
   const int all = padded(count);
   for (int k = 0; k < all; ++k) {
-    const double distance = std::sqrt(c.d_x[k] * c.d_x[k] + c.d_y[k] * c.d_y[k]);
-    const double inverse = 1 / distance;
+    const double square = c.d_x[k] * c.d_x[k] + c.d_y[k] * c.d_y[k];
+    const double inverse = inverse_root(square), distance = square * inverse;
     const double n_x = c.d_x[k] * inverse, n_y = c.d_y[k] * inverse;
     c.n_x[k] = n_x;
     c.n_y[k] = n_y;
@@ -133,9 +144,9 @@ template <Effects effects>
     }
   }
   std::int64_t changed = 0, undefined = 0;
-  for (int k = 0; k < all; ++k) {
-    undefined |= c.n_x[k] != c.n_x[k] ? 1 : 0;
-    if constexpr (effects.spring()) changed |= (c.overlap[k] > 0 ? 1 : 0) ^ c.touched[k];
+  for (int k = 0; k < count; ++k) {
+    undefined |= c.is_defined(k) ? 0 : 1;
+    if constexpr (effects.spring()) changed |= (c.overlap[k] > 0 ? 1 : 0) ^ c.springs->touched[k];
   }
   return {changed != 0, undefined != 0};
 }
@@ -144,19 +155,21 @@ template <Effects effects>
 /// (slip_rate_of_half_step) or belong to the middle of the step, as the stock integrators leave them.
 [[gnu::always_inline]] inline void contact_slip(ContactBatch& c, int count, bool predicted, double dt) {
   const int all = padded(count);
+  double* slip_rate = c.springs->slip_rate;
+#pragma GCC ivdep
   for (int k = 0; k < all; ++k) {
-    const double rate = slip_rate_of_half_step(c.slip_rate[k], c.v_t[k]);
-    c.slip_rate[k] = predicted ? rate : c.v_t[k];
-    c.slip[k] = c.slip_rate[k] * dt;
+    const double rate = slip_rate_of_half_step(slip_rate[k], c.v_t[k]);
+    slip_rate[k] = predicted ? rate : c.v_t[k];
+    c.slip[k] = slip_rate[k] * dt;
   }
 }
 
 /// Spring and slip of a pair that began to touch in this step, or ceased to: a new spring is unstretched, and
 /// with predicted velocities it slips from the moment when the discs met.
 inline void begin_or_end_contact(ContactBatch& c, int k, bool predicted, double dt) {
-  c.xi[k] = 0;
-  c.slip_rate[k] = c.touches(k) ? c.v_t[k] : 0;
-  c.slip[k] = c.slip_rate[k] * dt;
+  c.springs->xi[k] = 0;
+  c.springs->slip_rate[k] = c.touches(k) ? c.v_t[k] : 0;
+  c.slip[k] = c.springs->slip_rate[k] * dt;
   if (predicted && dt > 0 && c.touches(k))
     c.slip[k] = slip_since_onset({c.overlap[k], c.v_n[k], c.v_t[k], 0}, dt);
 }
@@ -165,14 +178,16 @@ inline void begin_or_end_contact(ContactBatch& c, int k, bool predicted, double 
 template <Effects effects>
 [[gnu::always_inline]] inline void contact_forces(ContactBatch& c, int count) {
   const int all = padded(count);
+  SpringLanes* springs = c.springs;
+#pragma GCC ivdep
   for (int k = 0; k < all; ++k) {
     const ContactParameters parameters{c.k_n[k], c.gamma_n[k], c.k_t[k], c.gamma_t[k], c.mu[k]};
-    ContactState state{c.overlap[k], c.v_n[k], c.v_t[k], c.xi[k]};
+    ContactState state{c.overlap[k], c.v_n[k], c.v_t[k], effects.spring() ? springs->xi[k] : 0.0};
     if constexpr (effects.normal == Normal::hertz) {
       const double a_1 = (c.reach[k] - c.radius_difference[k]) / 2;
       state.reduced_radius = reduced_radius(a_1, c.reach[k] - a_1);
     }
-    const auto force = contact_force<effects>(parameters, state, c.slip[k]);
+    const auto force = contact_force<effects>(parameters, state, c.slip[k], c.tangential_compliance[k]);
     const bool touches = c.overlap[k] > 0;
     const double f_n = touches ? force.f_n : 0.0, f_t = touches ? force.f_t : 0.0;
     c.f_n[k] = f_n;
@@ -181,8 +196,8 @@ template <Effects effects>
     c.f_y[k] = -f_n * c.n_y[k] + f_t * c.n_x[k];
     if constexpr (effects.tangential != Tangential::none) c.short_torque[k] = f_t * (c.overlap[k] / 2);
     if constexpr (effects.spring()) {
-      c.xi[k] = touches ? force.xi : 0.0;
-      c.slip_rate[k] = touches ? c.slip_rate[k] : 0.0;
+      springs->xi[k] = touches ? force.xi : 0.0;
+      springs->slip_rate[k] = touches ? springs->slip_rate[k] : 0.0;
     }
   }
 }

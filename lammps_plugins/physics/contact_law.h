@@ -109,7 +109,7 @@ inline double viscous_coulomb_force(const ContactParameters& p, double v_t, doub
 /// v_(n-1/2). The slip of the step is this rate times dt, as in velocity Verlet; v_n dt instead would act as
 /// a dashpot k_t dt / 2 beside the spring, the trapezium of predicted rates lets it gain energy in order 3.
 inline double slip_rate_of_half_step(double half_step_before, double v_t) {
-  return (2 * v_t + half_step_before) / 3;
+  return (2 * v_t + half_step_before) * (1.0 / 3);
 }
 
 /// Slip over the step in which the discs met [m]: they touched overlap / v_n ago, at most dt.
@@ -121,27 +121,34 @@ inline double slip_since_onset(const ContactState& s, double dt) {
 /// -k_t xi [- gamma_t v_t] holds up to mu |f_n|; beyond it the force slides at the cap and the spring is set
 /// to what the cap leaves for it, never longer than the cap allows.
 template <Effects effects>
-ContactForce spring_force(const ContactParameters& p, const ContactState& s, double f_n, double slip) {
+ContactForce spring_force(const ContactParameters& p, const ContactState& s, double f_n, double slip,
+                          double compliance) {
   const double cap = p.friction * std::abs(f_n);
   const double viscous = effects.tangential == Tangential::damped_spring ? p.tangential_damping * s.v_t : 0.0;
   const double stretched = s.xi + slip;
   const double trial = -p.tangential_stiffness * stretched - viscous;
   const double f_t = std::clamp(trial, -cap, cap);
   // Both outcomes are worked out and one is chosen, which lets several contacts be evaluated side by side.
-  const double sliding_xi = std::clamp(-(f_t + viscous), -cap, cap) / p.tangential_stiffness;
+  const double sliding_xi = std::clamp(-(f_t + viscous), -cap, cap) * compliance;
   return {f_n, f_t, std::abs(trial) <= cap ? stretched : sliding_xi};
 }
 
 /// Force of one contact. slip [m] of 1 against 2 along t is what stretches the spring before; 0 evaluates the
-/// force without moving it.
+/// force without moving it. compliance 1/k_t [m/N]: a loop divides once, not for each contact.
 template <Effects effects>
-ContactForce contact_force(const ContactParameters& p, const ContactState& s, double slip) {
+ContactForce contact_force(const ContactParameters& p, const ContactState& s, double slip,
+                           double compliance) {
   const double f_n = normal_force<effects>(p, s);
-  if constexpr (effects.spring()) return spring_force<effects>(p, s, f_n, slip);
+  if constexpr (effects.spring()) return spring_force<effects>(p, s, f_n, slip, compliance);
   if constexpr (effects.tangential == Tangential::viscous_coulomb) {
     return {f_n, viscous_coulomb_force(p, s.v_t, f_n), 0.0};
   }
   return {f_n, 0.0, 0.0};
+}
+
+template <Effects effects>
+ContactForce contact_force(const ContactParameters& p, const ContactState& s, double slip) {
+  return contact_force<effects>(p, s, slip, 1 / p.tangential_stiffness);
 }
 
 /// Rate of the overlap that the dashpot sees for a whole step [m/s]: v_n times the steps for which the force

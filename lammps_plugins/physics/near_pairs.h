@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include "physics/contact_batch.h"
@@ -48,71 +46,44 @@ class NearPairs {
     numbers_.resize(count);
     pairs_.resize(count);
     for (int k = 0; k < count; ++k) pairs_[k] = all[numbers_[k]];
-    if (touched.empty()) return;
-    xi_.resize(count);
-    slip_rate_.resize(count);
-    touched_.resize(count);
+    if (!touched.empty()) springs_.resize((count + ContactBatch::lanes - 1) / ContactBatch::lanes);
   }
   /// For laws with a spring, of each pair that was found.
   void set_spring(int k, bool touched, double xi, double slip_rate) {
-    xi_[k] = xi;
-    slip_rate_[k] = slip_rate;
-    touched_[k] = touched ? 1 : 0;
+    springs(k).xi[lane(k)] = xi;
+    springs(k).slip_rate[lane(k)] = slip_rate;
+    set_touched(k, touched);
   }
 
   int size() const { return static_cast<int>(pairs_.size()); }
   const DiscPair* from(int first) const { return &pairs_[first]; }
   /// The place of a pair among all.
   int number(int k) const { return numbers_[k]; }
-  double xi(int k) const { return xi_[k]; }
-  double slip_rate(int k) const { return slip_rate_[k]; }
-  void set_touched(int k, bool touched) { touched_[k] = touched ? 1 : 0; }
+  double xi(int k) const { return springs_[k / ContactBatch::lanes].xi[lane(k)]; }
+  double slip_rate(int k) const { return springs_[k / ContactBatch::lanes].slip_rate[lane(k)]; }
+  void set_touched(int k, bool touched) { springs(k).touched[lane(k)] = touched ? 1 : 0; }
 
-  /// Springs of `count` pairs from `first` on to the lanes and back.
-  void load_springs(ContactBatch& c, int first, int count) const {
-    copy(c.xi, &xi_[first], count);
-    copy(c.slip_rate, &slip_rate_[first], count);
-    copy(c.touched, &touched_[first], count);
-    for (int k = count; k < padded(count); ++k) {
-      c.xi[k] = c.slip_rate[k] = 0;
-      c.touched[k] = c.touched[count - 1];
-    }
-  }
-  /// Fetches springs of `count` pairs from `first` on from memory.
-  void fetch_springs(int first, int count) const {
+  /// Springs of the batch that pair k is in.
+  SpringLanes& springs(int k) { return springs_[k / ContactBatch::lanes]; }
+  /// Fetches springs of `count` pairs from `first` on, one batch, from memory.
+  void fetch_springs(int first, int count) {
     for (int k = 0; k < count; k += 8) {
-      __builtin_prefetch(&xi_[first + k], 1);
-      __builtin_prefetch(&slip_rate_[first + k], 1);
-      __builtin_prefetch(&touched_[first + k]);
+      __builtin_prefetch(&springs(first).xi[k], 1);
+      __builtin_prefetch(&springs(first).slip_rate[k], 1);
+      __builtin_prefetch(&springs(first).touched[k]);
     }
-  }
-  void store_springs(const ContactBatch& c, int first, int count) {
-    copy(&xi_[first], c.xi, count);
-    copy(&slip_rate_[first], c.slip_rate, count);
   }
 
   std::size_t bytes() const {
-    return pairs_.size() * (sizeof(DiscPair) + sizeof(int)) +
-           xi_.size() * (2 * sizeof(double) + sizeof(std::int64_t));
+    return pairs_.size() * (sizeof(DiscPair) + sizeof(int)) + springs_.size() * sizeof(SpringLanes);
   }
 
  private:
-  /// By vectors: for so few numbers a string instruction, which compilers choose, takes longer to begin.
-  template <typename Number>
-  static void copy(Number* to, const Number* from, int count) {
-    int k = 0;
-    for (; k + 4 <= count; k += 4) {
-      Four four;
-      std::memcpy(&four, from + k, sizeof four);
-      std::memcpy(to + k, &four, sizeof four);
-    }
-    for (; k < count; ++k) to[k] = from[k];
-  }
+  static int lane(int k) { return k % ContactBatch::lanes; }
 
   std::vector<DiscPair> pairs_;
   std::vector<int> numbers_;
-  std::vector<double> xi_, slip_rate_;
-  std::vector<std::int64_t> touched_;
+  std::vector<SpringLanes> springs_;
 };
 
 }  // namespace mikromakro::physics

@@ -61,7 +61,7 @@ FOR_EACH_PROCESSOR void batch_forces(ContactBatch& c, const BatchOfPairs& b) {
 /// pipe.
 void DiscLaw::stop_at_coincident_centres(const ContactBatch& c, const DiscPair* pairs) const {
   int lane = 0;
-  while (!std::isnan(c.n_x[lane])) ++lane;
+  while (c.is_defined(lane)) ++lane;
   const auto& pair = pairs[lane];
   const std::string text = "ERROR: " + style() + ": discs " + std::to_string(atom->tag[pair.i]) + " and " +
                            std::to_string(atom->tag[pair.j]) + " have the same centre in step " +
@@ -152,7 +152,7 @@ void DiscLaw::find_near_pairs() {
 /// ceased to lose theirs.
 void DiscLaw::begin_and_end_contacts(ContactBatch& c, int first, int count, double dt) {
   for (int k = 0; k < count; ++k) {
-    if (c.touches(k) == (c.touched[k] != 0)) continue;
+    if (c.touches(k) == (c.springs->touched[k] != 0)) continue;
     const int number = near_.number(first + k), i = pairs_[number].i;
     near_.set_touched(first + k, c.touches(k));
     in_contact_[number] = c.touches(k);
@@ -184,6 +184,7 @@ void DiscLaw::loop(const Evaluation& evaluation) {
   const double dt = move_spring ? update->dt : 0.0;
   const bool exceed_cache = packed_.exceed_cache();
   ContactBatch& c = *batch_;
+  physics::SpringLanes unmoved;
   for (int k = 0; k < ContactBatch::lanes; ++k) c.set_material(k, parameters_.front());
 
   for (int first = 0; first < near_.size(); first += ContactBatch::lanes) {
@@ -193,14 +194,14 @@ void DiscLaw::loop(const Evaluation& evaluation) {
         packed_.discs.data(), packed_.loads.data(), near_.from(first), count, ahead, predicted_, dt};
     if (!one_material_) set_materials(c, batch.pairs, count);
     if (effects.spring()) {
-      near_.load_springs(c, first, count);
+      c.springs = &near_.springs(first);
+      if (!move_spring) c.springs = &(unmoved = *c.springs);
       near_.fetch_springs(first + count, ahead);
     }
     const auto state = batch_geometry<effects>(c, batch);
     if (state.any_undefined) stop_at_coincident_centres(c, batch.pairs);
     if (state.any_changed) begin_and_end_contacts(c, first, count, dt);
     batch_forces<effects>(c, batch);
-    if (effects.spring() && move_spring) near_.store_springs(c, first, count);
     if constexpr (observed) {
       for (int k = 0; k < count; ++k) {
         if (c.touches(k)) observe(evaluation, c, k, first);
@@ -231,7 +232,7 @@ void DiscLaw::set_materials(ContactBatch& c, const DiscPair* pairs, int count) c
 void DiscLaw::observe(const Evaluation& evaluation, const ContactBatch& c, int k, int first) {
   const auto [i, j] = near_.from(first)[k];
   if (recording_) {
-    const double xi = effects_.spring() ? c.xi[k] : 0.0;
+    const double xi = effects_.spring() ? c.springs->xi[k] : 0.0;
     applied_.push_back(
         {i, j, c.n_x[k], c.n_y[k], c.overlap[k], {c.f_n[k], c.f_t[k], xi}, c.v_n[k], c.v_t[k]});
   }

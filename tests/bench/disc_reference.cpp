@@ -196,7 +196,7 @@ void DiscReference::put_springs_away() {
 void DiscReference::begin_and_end_contacts(int first, int count, double dt) {
   for (int k = 0; k < count; ++k) {
     const bool touches = batch_.touches(k);
-    if (touches == (batch_.touched[k] != 0)) continue;
+    if (touches == (batch_.springs->touched[k] != 0)) continue;
     near_.set_touched(first + k, touches);
     in_contact_[near_.number(first + k)] = touches;
     physics::begin_or_end_contact(batch_, k, true, dt);
@@ -206,12 +206,14 @@ void DiscReference::begin_and_end_contacts(int first, int count, double dt) {
 /// dt = 0: forces of the first instant, no spring is stretched.
 void DiscReference::evaluate_contacts(double dt) {
   auto& c = batch_;
+  physics::SpringLanes unmoved;
   for (int first = 0; first < near_.size(); first += ContactBatch::lanes) {
     const int count = std::min(ContactBatch::lanes, near_.size() - first);
     const auto* pairs = near_.from(first);
     const int ahead =
         physics::rows_exceed_cache(discs_.size()) ? std::min(count, near_.size() - first - count) : 0;
-    near_.load_springs(c, first, count);
+    c.springs = &near_.springs(first);
+    if (dt == 0) c.springs = &(unmoved = *c.springs);
     near_.fetch_springs(first + count, ahead);
     physics::load_discs<effects>(c, discs_.data(), pairs, count, loads_.data(), ahead);
     const auto state = physics::contact_geometry<effects>(c, count);
@@ -219,7 +221,6 @@ void DiscReference::evaluate_contacts(double dt) {
     if (state.any_changed) begin_and_end_contacts(first, count, dt);
     physics::contact_forces<effects>(c, count);
     physics::add_loads<effects>(c, pairs, count, loads_.data());
-    if (dt > 0) near_.store_springs(c, first, count);
   }
 }
 

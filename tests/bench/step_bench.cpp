@@ -33,6 +33,12 @@ struct Task {
   int steps;
 };
 
+double median(std::vector<double> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  const std::size_t half = numbers.size() / 2;
+  return numbers.size() % 2 ? numbers[half] : (numbers[half - 1] + numbers[half]) / 2;
+}
+
 /// One of those who run the race; measures microseconds per step.
 struct Contender {
   std::string name;
@@ -40,17 +46,14 @@ struct Contender {
   std::function<double(const Task&)> measure;
   std::vector<double> times = {};
 
-  double median() const {
-    auto sorted = times;
-    std::sort(sorted.begin(), sorted.end());
-    const std::size_t half = sorted.size() / 2;
-    return sorted.size() % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
-  }
+  double median() const { return bench::median(times); }
   double least() const { return *std::min_element(times.begin(), times.end()); }
   double most() const { return *std::max_element(times.begin(), times.end()); }
 };
 
 enum class Styles { stock, disc };
+
+constexpr auto side_by_side = "disc styles, one run for each rank";
 
 double run_liggghts(const Task& task, Styles styles, MPI_Comm ranks) {
   test::Engine engine(ranks);
@@ -111,6 +114,13 @@ std::vector<Contender> contenders(int ranks, bool only_disc_styles) {
 #endif
   }
   if (ranks > 1) {
+    // What the machine can give at most: a processor may lose speed when the others work.
+    all.push_back({side_by_side, ranks, [](const Task& t) {
+                     const double own = run_liggghts(t, Styles::disc, MPI_COMM_SELF);
+                     double longest = own;
+                     MPI_Allreduce(&own, &longest, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+                     return longest;
+                   }});
     all.push_back(
         {"disc styles", ranks, [](const Task& t) { return run_liggghts(t, Styles::disc, MPI_COMM_WORLD); }});
     if (!only_disc_styles)
@@ -142,9 +152,18 @@ void race(std::vector<Contender>& all, const Task& task, int repetitions) {
   }
 }
 
-double median_of(const std::vector<Contender>& all, const std::string& name) {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Contender& c) { return c.name == name; });
-  return found == all.end() ? NAN : found->median();
+/// How many times faster `fast` is than `slow`: the median over the repetitions, whose runs follow each
+/// other, of the ratios of their times.
+double times_faster(const Contender& slow, const Contender& fast) {
+  std::vector<double> ratios;
+  for (std::size_t k = 0; k < slow.times.size(); ++k) ratios.push_back(slow.times[k] / fast.times[k]);
+  return median(ratios);
+}
+
+const Contender* find(const std::vector<Contender>& all, const std::string& name, int ranks) {
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Contender& c) { return c.name == name && c.ranks == ranks; });
+  return found == all.end() ? nullptr : &*found;
 }
 
 /// Kinetic energy of the free discs after `steps` steps of the disc styles and of the stand-alone loop.
@@ -176,10 +195,23 @@ void print_table(const std::vector<Contender>& all, const Task& task, int repeti
     fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.2f} |\n", c.name, c.ranks, c.median(), c.least(),
                c.most(), c.median() / all.front().median());
   }
-  const double liggghts = median_of(all, "stock LIGGGHTS") / median_of(all, "disc styles");
-  const double lammps = median_of(all, "stock LAMMPS") / median_of(all, "disc styles in LAMMPS");
-  if (!std::isnan(liggghts)) fmt::print("\nOn one rank, LIGGGHTS: stock over ours {:.2f}.\n", liggghts);
-  if (!std::isnan(lammps)) fmt::print("On one rank, LAMMPS: stock over ours {:.2f}.\n", lammps);
+  const auto compare = [&](const char* text, const Contender* slow, const Contender* fast, double share) {
+    if (slow && fast) fmt::print("{} {:.2f}.\n", text, share * times_faster(*slow, *fast));
+  };
+  fmt::print("\n");
+  const Contender* ours = &all.front();
+  compare("On one rank, LIGGGHTS: stock over ours", find(all, "stock LIGGGHTS", 1), ours, 1);
+  compare("On one rank, LIGGGHTS: stock LAMMPS over ours", find(all, "stock LAMMPS", 1), ours, 1);
+  compare("On one rank, LAMMPS: stock over ours", find(all, "stock LAMMPS", 1),
+          find(all, "disc styles in LAMMPS", 1), 1);
+  const Contender* reference = find(all, "stand-alone loop", 1);
+  compare("On one rank, ours over the stand-alone loop", ours, reference, 1);
+  const int ranks = all.back().ranks;
+  if (ranks == 1) return;
+  const Contender* shared = find(all, "disc styles", ranks);
+  compare("Speed of all ranks over that of one", ours, shared, 1);
+  compare("Speed of all ranks over that of as many separate runs at the same time",
+          find(all, side_by_side, ranks), shared, 1.0 / ranks);
 }
 
 int run(int argc, char** argv) {

@@ -39,35 +39,29 @@ TEST(NearPairs, KeepTheSpringsThatTheyAreGiven) {
   near.find(pairs, discs.data(), {1, 0, 0, 1}, 0);
   near.set_spring(0, true, 1e-6, 2e-3);
   near.set_spring(1, true, 3e-6, 4e-3);
-  ContactBatch batch;
-  near.load_springs(batch, 0, 2);
-  EXPECT_EQ(batch.xi[1], 3e-6);
-  EXPECT_EQ(batch.slip_rate[0], 2e-3);
-  EXPECT_NE(batch.touched[0], 0);
+  const SpringLanes& springs = near.springs(0);
+  EXPECT_EQ(springs.xi[1], 3e-6);
+  EXPECT_EQ(springs.slip_rate[0], 2e-3);
+  EXPECT_NE(springs.touched[0], 0);
 }
 
-/// Every number of lanes, and no lane beside them.
-TEST(NearPairs, GiveSpringsToTheLanesAndTakeThemBack) {
-  const std::vector<DiscPair> many(ContactBatch::lanes, {0, 1});
-  for (int count = 1; count <= ContactBatch::lanes; ++count) {
-    NearPairs near;
-    near.find(many, discs.data(), std::vector<char>(many.size(), 1), 0);
-    for (int k = 0; k < near.size(); ++k) near.set_spring(k, k % 3 == 0, 1 + k, -1 - k);
-    ContactBatch batch;
-    near.load_springs(batch, 0, count);
-    for (int k = 0; k < count; ++k) {
-      EXPECT_EQ(batch.xi[k], 1 + k);
-      EXPECT_EQ(batch.slip_rate[k], -1 - k);
-      EXPECT_EQ(batch.touched[k], k % 3 == 0 ? 1 : 0);
-      batch.xi[k] *= 2;
-      batch.slip_rate[k] *= 3;
-    }
-    near.store_springs(batch, 0, count);
-    for (int k = 0; k < near.size(); ++k) {
-      EXPECT_EQ(near.xi(k), k < count ? 2 * (1 + k) : 1 + k);
-      EXPECT_EQ(near.slip_rate(k), k < count ? -3 * (1 + k) : -1 - k);
+/// Each pair has a lane of its own, in the batch that it belongs to.
+TEST(NearPairs, HaveSpringsInTheirLanes) {
+  const int count = 2 * ContactBatch::lanes + 3;
+  const std::vector<DiscPair> many(count, {0, 1});
+  NearPairs near;
+  near.find(many, discs.data(), std::vector<char>(many.size(), 1), 0);
+  for (int k = 0; k < count; ++k) near.set_spring(k, k % 3 == 0, 1 + k, -1 - k);
+  for (int first = 0; first < count; first += ContactBatch::lanes) {
+    auto& springs = near.springs(first);
+    for (int k = 0; k < ContactBatch::lanes && first + k < count; ++k) {
+      EXPECT_EQ(springs.xi[k], 1 + first + k);
+      EXPECT_EQ(springs.slip_rate[k], -1 - first - k);
+      EXPECT_EQ(springs.touched[k], (first + k) % 3 == 0 ? 1 : 0);
+      springs.xi[k] *= 2;
     }
   }
+  for (int k = 0; k < count; ++k) EXPECT_EQ(near.xi(k), 2 * (1 + k));
 }
 
 /// The sum of the costs, as in the comment of near_gap(), is larger on either side of it.
