@@ -90,3 +90,8 @@ def solid_fractions(simulation):
 def from_wheel(columns):
     """Distance from the circle of the wheel, mm."""
     return 1e3 * (columns["r"] - R_I)
+
+
+def middles_of_layers(columns, count):
+    """Numbers of the rings nearest to the middles of the first layers of small discs at the wheel."""
+    return np.interp(np.arange(count) + 0.5, from_wheel(columns) / 7.42, np.arange(len(columns["r"]))).round().astype(int)

@@ -31,18 +31,27 @@ def slow_run():
     return couette(*RUNS["B"], "viscous", omega=0.02, discard_time=314.16, measure_time=300, snap_time=2.5)
 
 
-# Section 2.4: what is changed, and the densities (small and large discs) around both thresholds. But for run B these runs are shorter: a third
-# of a turn is discarded, a third averaged.
+# Section 2.4: densities (small and large discs) around both thresholds, and what is changed. But for run B as it is these runs are shorter: a
+# third of a turn is discarded, a third averaged. Of the springs, k_t = 0.8 k_n is the default.
 SHORTER = {"discard_time": 20.94, "measure_time": 20.94}
+LADDERS = {
+    "viscous": ((2431, 400), (2451, 400), (2471, 400), RUNS["B"], (2575, 400), (2600, 400), (2640, 400)),
+    "cundall_strack": ((2431, 400), (2451, 400), (2471, 400), (2511, 400), (2530, 397), RUNS["B"], (2575, 400)),
+}
 CASES = {
-    "Eq. 1": ("viscous", {}, ((2431, 400), (2471, 400), RUNS["B"], (2640, 400), (2690, 400))),
+    "Eq. 1": ("viscous", {}),
+    "Eq. 1, bottom friction": ("viscous", {"mu_b": 2e-5}),
+    "spring": ("cundall_strack", {}),
+    "spring, bottom friction": ("cundall_strack", {"mu_b": 2e-5}),
+    "spring, k_t = 0.2 k_n": ("cundall_strack", {"kt_over_kn": 0.2}),
+    "spring, k_t = 3.2 k_n": ("cundall_strack", {"kt_over_kn": 3.2}),
 }
 
 
 def ladder(case):
     """The runs of a case, from loose to dense."""
-    law, changed, densities = CASES[case]
-    return [couette(*numbers, law, **changed, **({} if numbers == RUNS["B"] and not changed else SHORTER)) for numbers in densities]
+    law, changed = CASES[case]
+    return [couette(*numbers, law, **changed, **({} if numbers == RUNS["B"] and not changed else SHORTER)) for numbers in LADDERS[law]]
 
 
 # Bild 6: eight uniform distributions of radii (mm), half the width over the mean, and three of two sizes.

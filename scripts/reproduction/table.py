@@ -8,7 +8,7 @@ from reproduction import profiles, thresholds
 from reproduction.figures import LAW_NAMES, run_b
 from reproduction.profiles import HEIGHT, K_N, R_I, R_O, from_wheel
 from reproduction.simulations import isotropic
-from reproduction.study import CASES, LAWS, RUNS, SEEDS, ladder, seeds
+from reproduction.study import LAWS, RUNS, SEEDS, ladder, seeds
 
 
 @dataclasses.dataclass
@@ -89,6 +89,8 @@ QUANTITIES = (
     Quantity("W_rphi at R_i (1/s)", -0.230, lambda run: gradient_at_wheel(run, -1), "the same"),
     Quantity("scatter of tr sigma over r", None, pressure_scatter, "rms over mean, 8 mm from the rings on; the paper: nearly constant"),
     Quantity("scatter of r^2 sigma_phir over r", None, lambda run: scatter(torque_of_stress(run)), "the same; 0 by balance of the torque"),
+    Quantity("torque on the outer ring over that on the wheel", -1, lambda run: profiles.wheel(run)[:, 2].mean() / profiles.wheel(run)[:, 1].mean(),
+             "means over all steps; -1 by balance, but for the angular momentum of the discs and the wall's lever arms"),
     Quantity("2 pi r^2 h sigma_phir over the wheel torque", 1, lambda run: torque_of_stress(run).mean() / profiles.wheel(run)[:, 1].mean(),
              "mean of the rings; stress of the snapshots against the torque of all steps; 1 by balance"),
     Quantity("slope of 2 pi E h/k_n over tr F", None, stiffness_slope,
@@ -133,8 +135,7 @@ def ordered_angles(run):
 def layer_spins(run):
     """omega_excess in the middle of the first four layers."""
     columns = rings(run)
-    layers = np.interp([[0.5], [1.5], [2.5], [3.5]], from_wheel(columns) / 7.42, np.arange(len(columns["r"]))).round().astype(int).ravel()
-    return ", ".join(f"{columns['omega_excess'][k]:+.3f} ± {columns['omega_excess_err'][k]:.3f}" for k in layers)
+    return ", ".join(f"{columns['omega_excess'][k]:+.3f} ± {columns['omega_excess_err'][k]:.3f}" for k in profiles.middles_of_layers(columns, 4))
 
 
 def rotational_stiffness(run, first, last):
@@ -148,7 +149,7 @@ def trends():
     found = [[f"{name}, run B, {LAW_NAMES[law]}", paper, value(run_b(law)), remark] for name, paper, value, remark in (
         ("omega_excess in the first four layers (1/s)", "sign alternates", layer_spins, "rings nearest to the middles of layers of 7.42 mm; errors of blocks of frames"),
         ("major axes from e_r", "not co-linear", ordered_angles, "means from 8 to 40 mm from the wheel")) for law in LAWS]
-    for case in CASES:
+    for case in LAW_NAMES.values():
         for name, first, last in (("within 15 mm of the wheel", 0, 15), ("45 to 120 mm from it", 45, 120)):
             values = [f"{rotational_stiffness(run, first, last):.3f} at {profiles.solid_fractions(run)[1]:.4f}" for run in ladder(case)]
             found.append([f"mu_c h/k_n {name}, {case}", "lower in the shear zone, rises with density", ", ".join(values),
@@ -156,6 +157,6 @@ def trends():
     return found
 
 
-GROUPS["trends"] = Group("the table's trends", [*map(run_b, LAWS), *thresholds.simulations()], trends)
+GROUPS["trends"] = Group("the table's trends", [run for law in LAWS for run in (run_b(law), *ladder(LAW_NAMES[law]))], trends)
 GROUPS["g2"] = Group("the table's g_2", SAMPLES, fabric_factor)
 GROUPS["critical_densities"] = Group("the table's thresholds", thresholds.simulations(), thresholds.rows)
