@@ -11,7 +11,7 @@ namespace mikromakro::physics {
 /// Force of the bottom on a disc that slides with the velocity v [N]: -F v/|v| with F = mu_b m g, regularised
 /// at rest to -F v/v_0 below the velocity v_0 > 0 [m/s]. There is no torque: the force is the whole law.
 inline PlaneVector bottom_friction(double sliding_force, PlaneVector v, double v_0) {
-  const double scale = -sliding_force / std::max(std::hypot(v.x, v.y), v_0);
+  const double scale = -sliding_force / std::max(std::sqrt(v.x * v.x + v.y * v.y), v_0);
   return {scale * v.x, scale * v.y};
 }
 

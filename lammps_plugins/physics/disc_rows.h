@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "physics/plane_vector.h"
+
 namespace mikromakro::physics {
 
 /// Four numbers that are added and multiplied at the same time, on any processor.
@@ -21,6 +23,7 @@ struct alignas(64) DiscRow {
   double x() const { return place[0]; }
   double y() const { return place[1]; }
   double radius() const { return place[2]; }
+  PlaneVector velocity() const { return {motion[0], motion[1]}; }
   void move_to(double x, double y) {
     place[0] = x;
     place[1] = y;
@@ -33,6 +36,7 @@ struct alignas(64) DiscRow {
 struct alignas(32) DiscLoad {
   Four sums{0, 0, 0, 0};
 
+  void add_force(double f_x, double f_y) { sums += Four{f_x, f_y, 0, 0}; }
   double f_x() const { return sums[0]; }
   double f_y() const { return sums[1]; }
   double torque(double radius) const { return radius * sums[2] - sums[3]; }

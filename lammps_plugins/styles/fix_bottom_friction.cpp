@@ -8,6 +8,7 @@
 #include "arguments.h"
 #include "atom.h"
 #include "comm.h"
+#include "disc_law.h"
 #include "engine_access.h"
 #include "physics/bottom_friction.h"
 #include "update.h"
@@ -35,6 +36,8 @@ int FixBottomFriction::setmask() {
 
 void FixBottomFriction::init() {
   reset_dt();
+  DiscLaw* law = active_disc_law(*lmp);
+  packed_ = law ? &law->packed_discs() : nullptr;
 }
 
 void FixBottomFriction::reset_dt() {
@@ -47,14 +50,21 @@ void FixBottomFriction::reset_dt() {
   }
 }
 
+/// Where the state is open, velocities and forces are in the rows, and nothing waits in the engine.
 double FixBottomFriction::apply() {
+  const bool open = packed_ && packed_->open;
   double power = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const physics::PlaneVector v{atom->v[i][0], atom->v[i][1]};
+    const physics::PlaneVector v =
+        open ? packed_->discs[i].velocity() : physics::PlaneVector{atom->v[i][0], atom->v[i][1]};
     const auto force = physics::bottom_friction(mu_b_ * g_ * atom->rmass[i], v, v_0_);
-    atom->f[i][0] += force.x;
-    atom->f[i][1] += force.y;
+    if (open) {
+      packed_->loads[i].add_force(force.x, force.y);
+    } else {
+      atom->f[i][0] += force.x;
+      atom->f[i][1] += force.y;
+    }
     power -= force.x * v.x + force.y * v.y;
   }
   return power;

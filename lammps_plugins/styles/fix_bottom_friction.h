@@ -7,6 +7,8 @@
 
 namespace mikromakro::styles {
 
+struct PackedDiscs;
+
 /// fix ID group bottom/friction MU_B G [velocity V0]
 ///
 /// Force -mu_b m g v/|v| on each disc of the group, -mu_b m g v/V0 below V0 (physics/bottom_friction.h), at
@@ -34,6 +36,7 @@ class FixBottomFriction : public FixOfEngine {
   double apply();  // returns the power of this rank's discs
   double sum_of_all_ranks(double value) const;
 
+  PackedDiscs* packed_ = nullptr;
   double mu_b_, g_;
   double given_v_0_ = 0;  // 0: not given
   double v_0_ = 0;

@@ -5,6 +5,7 @@
 
 #include "engine_access.h"
 #include "fix.h"
+#include "fix_bottom_friction.h"
 #include "fix_couette_2d.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -17,11 +18,13 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-/// Rings move wall discs in their rows while the state is open.
+/// While the state is open, rings move wall discs in their rows, and the bottom acts on rows and loads.
 bool may_act(const Fix& fix, int mask) {
   using namespace FixConst;
-  const bool rings = dynamic_cast<const FixCouette2d*>(&fix) != nullptr;
-  return leaves_discs_alone(fix, rings ? mask & ~(INITIAL_INTEGRATE | PRE_EXCHANGE) : mask);
+  int in_rows = 0;
+  if (dynamic_cast<const FixCouette2d*>(&fix)) in_rows = INITIAL_INTEGRATE | PRE_EXCHANGE;
+  if (dynamic_cast<const FixBottomFriction*>(&fix)) in_rows = POST_FORCE;
+  return leaves_discs_alone(fix, mask & ~in_rows);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "disc_law.h"
 #include "engine.h"
 #include "engine_access.h"
+#include "fix.h"
 #include "neighbor.h"
 
 namespace mikromakro::test {
@@ -18,6 +19,7 @@ struct Outcome {
   std::map<int, Disc> discs;
   std::map<std::pair<int, int>, Contact> contacts;
   int lists_built;
+  double taken_by_bottom;
 };
 
 /// A ring cell that is pressed together and sheared so fast that neighbour lists are built several times; the
@@ -35,7 +37,9 @@ Outcome shear(const std::string& tangential, const std::string& lines) {
       "fix cell wall couette/2d center 0 0 inner rough inner 0.04 outer rough outer 0.1 omega_inner 4 "
       "compact 0.08 0.024\n");
   engine.run(lines + "run 1000\n");
-  return {engine.discs(), engine.contacts(), static_cast<int>(engine.lammps().neighbor->ncalls)};
+  const bool bottom = lines.find("fix bottom ") != std::string::npos;
+  return {engine.discs(), engine.contacts(), static_cast<int>(engine.lammps().neighbor->ncalls),
+          bottom ? engine.fix("bottom").compute_scalar() : 0.0};
 }
 
 void expect_same_bits(const Outcome& a, const Outcome& b) {
@@ -86,6 +90,15 @@ TEST_P(OpenState, IsWrittenToRestartFiles) {
   for (const char* step : {"400", "800"}) std::remove((start + step).c_str());
 }
 
+/// The bottom acts on what lies in the rows.
+TEST_P(OpenState, IsTheStateOnABottomWithFriction) {
+  const std::string bottom = "fix bottom free bottom/friction 0.05 9.81\n";
+  const auto open = shear(GetParam(), bottom), closed = shear(GetParam(), bottom + look_at_each_step);
+  expect_same_bits(open, closed);
+  EXPECT_EQ(open.taken_by_bottom, closed.taken_by_bottom);
+  EXPECT_GT(open.taken_by_bottom, 0);
+}
+
 TEST(OpenStateOrNot, DependsOnWhoActsWithinAStep) {
   Engine engine;
   engine.run(scene("model disc/linear tangential off", {}, 0.1));
@@ -94,7 +107,7 @@ TEST(OpenStateOrNot, DependsOnWhoActsWithinAStep) {
   EXPECT_TRUE(packed.may_stay_open);
   engine.run("fix fall all gravity 9.81 vector 0 -1 0\nrun 1\n");
   EXPECT_FALSE(packed.may_stay_open);
-  engine.run("unfix fall\nrun 1\n");
+  engine.run("unfix fall\nfix bottom all bottom/friction 0.05 9.81\nrun 1\n");
   EXPECT_TRUE(packed.may_stay_open);
 }
 
