@@ -10,13 +10,13 @@ from reproduction import profiles, sheet
 
 TITLE = "Averages"
 WEIGHTS = ("sliced", "centre", "gauss:0.002", "gauss:0.004", "lucy:0.008")
-RINGS, FRAMES, REPETITIONS = (10, 20, 60, 150), (1, 3, 10, 30, 100), 5
+RINGS, FRAMES, REPETITIONS = (10, 20, 60, 150), (1, 3, 10, 30, 100, 300), 5
 COLUMNS = {"nu": "nu", "v_phi": "v_phi", "pressure": "-tr sigma"}
 
 
 def snapshots():
-    """Snapshots of the small cell within 30 s, law with spring: 500 of them, 1000 with --full."""
-    folder = runs.engine("snapshots", scene.COUETTE, run="small", law="cundall_strack", discard_time=8, measure_time=30, snap_time=0.03 if scene.cell is scene.FULL else 0.06, snapshot="on")
+    """1000 snapshots of the small cell within 30 s, law with spring."""
+    folder = runs.engine("snapshots", scene.COUETTE, run="small", law="cundall_strack", discard_time=8, measure_time=30, snap_time=0.03, snapshot="on")
     return os.path.join(folder, "run.h5")
 
 
@@ -74,7 +74,7 @@ def draw(errors, by_weight, times):
     drawing, (left, right) = sheet.axes(columns=2)
     for (name, label), marker, colour in zip(COLUMNS.items(), "osD", sheet.shades(3)):
         left.loglog(FRAMES, errors[name], marker + "-", color=colour, ms=4, label=label)
-    left.loglog([1, 100], [0.3, 0.03], "k--", lw=0.8, label="1/$\\sqrt{frames}$")
+    left.loglog([1, 300], [0.3, 0.3 / 300**0.5], "k--", lw=0.8, label="1/$\\sqrt{frames}$")
     left.set(xlabel="frames", ylabel="rms difference from all frames", title="60 rings, sliced")
     left.legend()
     for weight, marker, colour in zip(WEIGHTS, sheet.MARKERS, sheet.shades(len(WEIGHTS))):

@@ -22,7 +22,7 @@ DT = 4e-5
 def section():
     # Most effects are larger than what short runs scatter.
     if scene.cell is scene.SMALL:
-        scene.cell = dataclasses.replace(scene.SMALL, discard_time=0.2, measure_time=3, seeds=(1, 2))
+        scene.cell = dataclasses.replace(scene.SMALL, discard_time=4, measure_time=10, seeds=(1, 2, 3, 4, 5))
     folders = {name: [] for name, _, _ in EFFECTS}
     for seed in scene.cell.seeds:
         for name, _, variables in EFFECTS:

@@ -37,12 +37,16 @@ def table(text):
     return {name: values[:, k] for k, name in enumerate(rows[0])}
 
 
-def rings(simulation, count, weight="sliced"):
-    """All fields over `count` rings between the wheel and the outer ring, with standard errors."""
-    path = os.path.join(simulation.folder, f"rings_{count}_{weight.replace(':', '_')}.csv")
+def rings_file(simulation, count, weight="sliced", frames=""):
+    return os.path.join(simulation.folder, f"rings_{count}_{weight.replace(':', '_')}{frames.replace(':', '_')}.csv")
+
+
+def rings(simulation, count, weight="sliced", frames=""):
+    """All fields over `count` rings between the wheel and the outer ring, with standard errors; `frames`: FIRST:LAST of them only."""
+    path = rings_file(simulation, count, weight, frames)
     return table(cached(path, lambda: run("average", simulation.snapshots, "--rings", str(R_I), str(R_O), str(count), "--height",
                                           str(HEIGHT), "--bulk-types", "1", "2", "--kn", str(K_N), "--mu", str(MU), "--fields", "all",
-                                          "--weight", weight, "--quiet")))
+                                          "--weight", weight, *(["--frames", frames] if frames else []), "--quiet")))
 
 
 def box(simulation):
@@ -56,11 +60,11 @@ def box(simulation):
                                           "radius", "--fields", "all", "--kn", "1e5", "--histogram", "36", "--quiet")))
 
 
-def fit(simulation, count, omega=OMEGA):
+def fit(simulation, count, omega=OMEGA, **average):
     """The exponential v_0 exp(-(r - R_i)/s) of v_phi (Bild 5), with its interval of 95 %."""
-    rings(simulation, count)
-    path = os.path.join(simulation.folder, f"fit_{count}.json")
-    rows = os.path.join(simulation.folder, f"rings_{count}_sliced.csv")
+    rings(simulation, count, **average)
+    rows = rings_file(simulation, count, **average)
+    path = rows.replace("rings_", "fit_").replace(".csv", ".json")
     return json.loads(cached(path, lambda: run("fit", rows, "--ri", str(R_I), "--omega", str(omega), "--json")))
 
 

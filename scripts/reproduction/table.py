@@ -8,7 +8,7 @@ from reproduction import profiles, thresholds
 from reproduction.figures import LAW_NAMES, run_b
 from reproduction.profiles import HEIGHT, K_N, R_I, R_O, from_wheel
 from reproduction.simulations import isotropic
-from reproduction.study import LAWS, RUNS, SEEDS, ladder, seeds
+from reproduction.study import LADDERS, LAWS, PITCHES, RUNS, SEEDS, ladder, pitches, seeds, slow_run
 
 
 @dataclasses.dataclass
@@ -90,7 +90,7 @@ QUANTITIES = (
     Quantity("scatter of tr sigma over r", None, pressure_scatter, "rms over mean, 8 mm from the rings on; the paper: nearly constant"),
     Quantity("scatter of r^2 sigma_phir over r", None, lambda run: scatter(torque_of_stress(run)), "the same; 0 by balance of the torque"),
     Quantity("torque on the outer ring over that on the wheel", -1, lambda run: profiles.wheel(run)[:, 2].mean() / profiles.wheel(run)[:, 1].mean(),
-             "means over all steps; -1 by balance, but for the angular momentum of the discs and the wall's lever arms"),
+             "means over all steps; -1 by balance, but for the angular momentum of the discs", 4),
     Quantity("2 pi r^2 h sigma_phir over the wheel torque", 1, lambda run: torque_of_stress(run).mean() / profiles.wheel(run)[:, 1].mean(),
              "mean of the rings; stress of the snapshots against the torque of all steps; 1 by balance"),
     Quantity("slope of 2 pi E h/k_n over tr F", None, stiffness_slope,
@@ -157,6 +157,37 @@ def trends():
     return found
 
 
+
+def changes_of_run_b():
+    """What is changed in run B under Eq. 1, one thing at a time: name, run, how its profile is fitted."""
+    as_it_is = run_b()
+    yield "as it is", as_it_is, {}
+    for distance, run in zip(PITCHES, pitches()):
+        if run != as_it_is:
+            yield f"wall discs {1e3 * distance:g} mm apart", run, {}
+    yield "wheel at a fifth of its rate", slow_run(), {"omega": 0.02}
+    yield "law with spring", run_b("cundall_strack"), {}
+    yield "bottom friction 2e-5, a third of a turn", ladder("Eq. 1, bottom friction")[LADDERS["viscous"].index(RUNS["B"])], {}
+    for name in ("A", "C"):
+        yield f"density of run {name}", seeds(name, "viscous")[0], {}
+    yield "another packing (seed 2)", seeds("B", "viscous")[1], {}
+    yield "20 rings, not 60", as_it_is, {"count": 20}
+    yield "centres, not exact fractions", as_it_is, {"weight": "centre"}
+    yield "second half of the snapshots only", as_it_is, {"frames": "60:"}
+
+
+def causes():
+    """v_0 and s of each, with half of the fits' intervals of 95 %."""
+    rows = []
+    for name, run, how in changes_of_run_b():
+        fit = profiles.fit(run, **{"count": 60, **how})
+        (v0, v0_error), (s, s_error) = ((fit[key], (fit[key + "_high"] - fit[key + "_low"]) / 2) for key in ("v0_scaled", "s"))
+        rows.append([f"v0/(Omega R_i); s (mm), run B, Eq. 1: {name}", "0.645; 12.7", f"{v0:.3f} ± {v0_error:.3f}; {1e3 * s:.1f} ± {1e3 * s_error:.1f}",
+                     "seed 1; half of the interval of 95 % of the fit" if name == "as it is" else "the same"])
+    return rows
+
+
 GROUPS["trends"] = Group("the table's trends", [run for law in LAWS for run in (run_b(law), *ladder(LAW_NAMES[law]))], trends)
+GROUPS["causes"] = Group("the table's causes: what v_0 and s depend on", [run for _, run, _ in changes_of_run_b()], causes)
 GROUPS["g2"] = Group("the table's g_2", SAMPLES, fabric_factor)
 GROUPS["critical_densities"] = Group("the table's thresholds", thresholds.simulations(), thresholds.rows)
