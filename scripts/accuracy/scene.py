@@ -71,9 +71,21 @@ def cost(folder):
     return runs.seconds(folder) / (2.5 + cell.discard_time + cell.measure_time)
 
 
+def packing(repetition=1):
+    """A run of the small cell from the dilute start to rest, 2.5 s."""
+    return runs.engine(f"packing_{repetition}", COUETTE, run="small", law="cundall_strack", discard_time=0, measure_time=0)
+
+
+def add_cost(axes):
+    """On top of an axis of t_c/dt: processor time per simulated second, from the median of five runs."""
+    per_step = np.median([runs.seconds(packing(k)) for k in range(1, 6)]) / (2.5 / 4e-5)
+    top = axes.secondary_xaxis("top", functions=(lambda steps: steps * per_step / T_C, lambda seconds: seconds * T_C / per_step))
+    top.set_xlabel("processor s per simulated s, small cell", fontsize=8)
+
+
 def positions(velocity, steps_per_contact):
     """Of all discs, frame after frame."""
-    at_rest = os.path.join(runs.engine("packing", COUETTE, run="small", law="cundall_strack", discard_time=0, measure_time=0), "packing.restart")
+    at_rest = os.path.join(packing(), "packing.restart")
     # The wheel's start is a jump of its own.
     turning = os.path.join(runs.engine("turning", CONTINUE, packing=at_rest, steps=250, frames=100, velocity="predicted"), "end.restart")
     steps = round(0.01 / T_C * steps_per_contact)
@@ -98,6 +110,7 @@ def draw_positions():
     moved = np.sqrt(np.mean(np.sum((exact - exact[0]) ** 2, axis=2), axis=1))
     right.semilogy(0.01 * np.arange(1, 21), moved[1:], "k--", lw=0.8, label="way of the discs")
     left.set(xlabel="$t_c/\\Delta t$", ylabel="rms error of positions (m)")
+    add_cost(left)
     right.set(xlabel="time since then (s)", ylabel="rms error of positions (m)")
     for one in (left, right):
         one.legend(fontsize=6)
