@@ -126,6 +126,7 @@ void DiscLaw::begin_run(std::vector<physics::ContactParameters> parameters) {
   schedule_.look_up(*lmp);
   readers_.look_up(*lmp);
   packed_.may_stay_open = packed_.open = false;
+  waiting_.reset();
   packed_.step = -1;
   recorded_step_ = -1;
 }
@@ -172,9 +173,21 @@ void DiscLaw::evaluate(const Evaluation& evaluation) {
   if (recording_) applied_.clear();
   if (atom->nlocal > 0) {
     const bool observed = recording_ || evaluation.is_observed;
-    (this->*(observed ? observed_loop_ : plain_loop_))(evaluation);
+    evaluated_step_ = update->ntimestep;
+    (this->*preparation_)(evaluation);
+    if (packed_.open && !observed) {
+      waiting_.emplace(evaluation);
+    } else {
+      (this->*(observed ? observed_loop_ : plain_loop_))(evaluation, {});
+    }
   }
   if (recording_) recorded_step_ = update->ntimestep;
+}
+
+void DiscLaw::complete_step(const MoveDiscs& move_discs) {
+  if (waiting_) (this->*plain_loop_)(*waiting_, move_discs);
+  waiting_.reset();
+  if (move_discs) move_discs(atom->nlocal);
 }
 
 }  // namespace mikromakro::styles

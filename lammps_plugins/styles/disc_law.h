@@ -6,7 +6,9 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -71,6 +73,11 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
 
   /// Shared with the fixes that move discs.
   PackedDiscs& packed_discs() { return packed_; }
+  /// While the state is open, contacts need not act before the next step begins: then discs are moved on as
+  /// soon as all their contacts have acted, while their rows are still in the processor's cache. Whoever
+  /// looks at loads before calls this one; whoever integrates gives what moves on all discs before a number.
+  using MoveDiscs = std::function<void(int before)>;
+  void complete_step(const MoveDiscs& move_discs = {});
   /// Puts what waits here into the engine's arrays: places and velocities of the rows, loads, springs.
   void close();
   void put_discs_into_engine();
@@ -129,7 +136,8 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   void evaluate(const Evaluation& evaluation);
 
  private:
-  using Loop = void (DiscLaw::*)(const Evaluation& evaluation);
+  using Preparation = void (DiscLaw::*)(const Evaluation& evaluation);
+  using Loop = void (DiscLaw::*)(const Evaluation& evaluation, const MoveDiscs& move_discs);
 
   void start_run(const LAMMPS_NS::NeighList& list);
   void choose_loops();
@@ -149,8 +157,10 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   void observe(const Evaluation& evaluation, const physics::ContactBatch& batch, int lane, int first);
   [[noreturn]] void stop_at_coincident_centres(const physics::ContactBatch& batch,
                                                const physics::DiscPair* pairs) const;
+  template <physics::Effects effects>
+  void prepare(const Evaluation& evaluation);
   template <physics::Effects effects, bool observed>
-  void loop(const Evaluation& evaluation);
+  void act(const Evaluation& evaluation, const MoveDiscs& move_discs);
 
   physics::Effects effects_;
   bool tangential_damping_ = false;
@@ -178,6 +188,10 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   bool forces_are_stale_ = false;  // the engine has not cleared its forces in this step
   bool springs_wait_ = false;      // the engine's histories are behind
   bool one_material_ = false;      // all pairs of types have the same constants
+  bool ordered_ = false;           // pairs ascend in their first disc, whose number is the smaller one
+  std::optional<Evaluation> waiting_;
+  LAMMPS_NS::bigint evaluated_step_ = -1;
+  Preparation preparation_ = nullptr;
   Loop plain_loop_ = nullptr;
   Loop observed_loop_ = nullptr;
   // The atoms carry velocities that were predicted for the instant of their positions.

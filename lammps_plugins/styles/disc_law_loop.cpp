@@ -65,7 +65,7 @@ void DiscLaw::stop_at_coincident_centres(const ContactBatch& c, const DiscPair* 
   const auto& pair = pairs[lane];
   const std::string text = "ERROR: " + style() + ": discs " + std::to_string(atom->tag[pair.i]) + " and " +
                            std::to_string(atom->tag[pair.j]) + " have the same centre in step " +
-                           std::to_string(update->ntimestep) + ": their contact has no normal\n";
+                           std::to_string(evaluated_step_) + ": their contact has no normal\n";
   if (logfile) std::fputs(text.c_str(), logfile);
   std::fflush(nullptr);
   std::fputs(text.c_str(), stderr);
@@ -107,11 +107,14 @@ void DiscLaw::flatten(const NeighList& list) {
   History springs{};
   if constexpr (effects.spring()) springs = history();
   flags_ = springs.touching;
+  ordered_ = true;
   for (int ii = 0; ii < list.inum; ++ii) {
     const int i = list.ilist[ii];
     first_pair_[i] = static_cast<int>(pairs_.size());
+    ordered_ = ordered_ && i == ii;
     for (int jj = 0; jj < list.numneigh[i]; ++jj) {
       pairs_.push_back({i, list.firstneigh[i][jj] & NEIGHMASK});
+      ordered_ = ordered_ && pairs_.back().j > i;
       if constexpr (effects.spring()) {
         histories_.push_back(springs.values[i] + static_cast<std::ptrdiff_t>(springs.stride) * jj);
         in_contact_.push_back(springs.touching[i][jj] != 0);
@@ -162,8 +165,9 @@ void DiscLaw::begin_and_end_contacts(ContactBatch& c, int first, int count, doub
   }
 }
 
-template <Effects effects, bool observed>
-void DiscLaw::loop(const Evaluation& evaluation) {
+/// Rows and near pairs for the present places.
+template <Effects effects>
+void DiscLaw::prepare(const Evaluation& evaluation) {
   const bool rows_are_there = packed_.step == update->ntimestep && neighbor->ago != 0;
   const double moved = gather<effects.tangential != Tangential::none>(rows_are_there ? atom->nlocal : 0);
   const bool new_pairs = neighbor->ago == 0 || pairs_.empty();
@@ -180,6 +184,10 @@ void DiscLaw::loop(const Evaluation& evaluation) {
     put_springs_into_engine();
     find_near_pairs<effects>();
   }
+}
+
+template <Effects effects, bool observed>
+void DiscLaw::act(const Evaluation& evaluation, const MoveDiscs& move_discs) {
   const bool move_spring = evaluation.is_step && evaluation.moves_springs;
   const double dt = move_spring ? update->dt : 0.0;
   const bool exceed_cache = packed_.exceed_cache();
@@ -207,6 +215,8 @@ void DiscLaw::loop(const Evaluation& evaluation) {
         if (c.touches(k)) observe(evaluation, c, k, first);
       }
     }
+    // Pairs that follow have none of the discs before their first one.
+    if (move_discs && ordered_ && first + count < near_.size()) move_discs(batch.pairs[count].i);
   }
   springs_wait_ = springs_wait_ || (effects.spring() && move_spring);
   if (!packed_.may_stay_open) put_springs_into_engine();
@@ -246,8 +256,9 @@ void DiscLaw::observe(const Evaluation& evaluation, const ContactBatch& c, int k
 template <Effects effects>
 void DiscLaw::use_loops_of() {
   if (effects_ != effects) return;
-  plain_loop_ = &DiscLaw::loop<effects, false>;
-  observed_loop_ = &DiscLaw::loop<effects, true>;
+  preparation_ = &DiscLaw::prepare<effects>;
+  plain_loop_ = &DiscLaw::act<effects, false>;
+  observed_loop_ = &DiscLaw::act<effects, true>;
 }
 
 template <int... numbers>

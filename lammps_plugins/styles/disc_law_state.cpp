@@ -73,6 +73,7 @@ void DiscLaw::put_springs_into_engine() {
 
 /// Adds the loads of the owned discs to the engine's forces and torques, and leaves none for the next step.
 void DiscLaw::close() {
+  complete_step();
   if (packed_.step == update->ntimestep) put_discs_into_engine();
   put_springs_into_engine();
   using Vector3 = double[3];

@@ -36,8 +36,8 @@ int FixBottomFriction::setmask() {
 
 void FixBottomFriction::init() {
   reset_dt();
-  DiscLaw* law = active_disc_law(*lmp);
-  packed_ = law ? &law->packed_discs() : nullptr;
+  law_ = active_disc_law(*lmp);
+  packed_ = law_ ? &law_->packed_discs() : nullptr;
 }
 
 void FixBottomFriction::reset_dt() {
@@ -53,6 +53,7 @@ void FixBottomFriction::reset_dt() {
 /// Where the state is open, velocities and forces are in the rows, and nothing waits in the engine.
 double FixBottomFriction::apply() {
   const bool open = packed_ && packed_->open;
+  if (open) law_->complete_step();
   double power = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;

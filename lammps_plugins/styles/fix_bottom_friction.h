@@ -7,6 +7,7 @@
 
 namespace mikromakro::styles {
 
+class DiscLaw;
 struct PackedDiscs;
 
 /// fix ID group bottom/friction MU_B G [velocity V0]
@@ -36,6 +37,7 @@ class FixBottomFriction : public FixOfEngine {
   double apply();  // returns the power of this rank's discs
   double sum_of_all_ranks(double value) const;
 
+  DiscLaw* law_ = nullptr;
   PackedDiscs* packed_ = nullptr;
   double mu_b_, g_;
   double given_v_0_ = 0;  // 0: not given

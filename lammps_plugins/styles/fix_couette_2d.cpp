@@ -67,8 +67,8 @@ void FixCouette2d::init() {
   check_radii();
   adopt_new_wall_discs();
   if (walls_.any()) walls_.init(smooth_rings_at(update->ntimestep));
-  DiscLaw* law = active_disc_law(*lmp);
-  packed_ = law ? &law->packed_discs() : nullptr;
+  law_ = active_disc_law(*lmp);
+  packed_ = law_ ? &law_->packed_discs() : nullptr;
 }
 
 // Velocities at the start of a run, before ghosts get theirs. Positions are left alone: they are right
@@ -98,6 +98,7 @@ void FixCouette2d::post_force(int) {
 void FixCouette2d::initial_integrate(int) {
   follow_time_step(update->ntimestep - 1);
   if (packed_ && packed_->open) {
+    law_->complete_step();
     carry_rows(update->ntimestep);
   } else {
     place_wall_discs(update->ntimestep, false);

@@ -42,6 +42,7 @@
 
 namespace mikromakro::styles {
 
+class DiscLaw;
 struct PackedDiscs;
 
 class FixCouette2d : public FixWithClock, public WallContactSource {
@@ -106,8 +107,9 @@ class FixCouette2d : public FixWithClock, public WallContactSource {
 
   CouetteSettings settings_;
   physics::StepClock clock_;
-  double** references_ = nullptr;            // per atom: unit vector of the reference angle; zero: none yet
-  SmoothWalls walls_;                        // of the smooth rings
+  double** references_ = nullptr;  // per atom: unit vector of the reference angle; zero: none yet
+  SmoothWalls walls_;              // of the smooth rings
+  DiscLaw* law_ = nullptr;
   PackedDiscs* packed_ = nullptr;            // of the disc law, if there is one
   std::array<std::vector<int>, 2> members_;  // local numbers of the wall discs of both rings
   bool members_known_ = false;

@@ -119,24 +119,20 @@ struct OpenStep {
   const double* spin_kicks;
   physics::DiscRow* discs;
   physics::DiscLoad* loads;
-  int ahead;  // so many discs before their turn rows are fetched from memory (0: they are in the cache)
+  int next = 0;        // of the members
+  double fastest = 0;  // the largest square of a velocity of those moved so far
 };
 
-/// The last half-kick of the step before, the first one of this step, and the velocity predicted for its
-/// end: the arithmetic of end_step() and begin_step(). Returns the largest square of a velocity.
-FOR_EACH_PROCESSOR double move_discs(const OpenStep& step) {
+/// Members before disc number `before`: the last half-kick of the step before, the first one of this step,
+/// and the velocity predicted for its end: the arithmetic of end_step() and begin_step().
+FOR_EACH_PROCESSOR void move_discs(OpenStep& step, int before) {
   const Four drift = {step.dt, step.dt, 0, 0};
-  double fastest = 0;
-  for (int k = 0; k < step.count; ++k) {
+  double fastest = step.fastest;
+  int k = step.next;
+  for (; k < step.count && step.members[k] < before; ++k) {
     const int i = step.members[k];
     auto& disc = step.discs[i];
     auto& load = step.loads[i];
-    if (step.ahead > 0) {
-      const int later = step.members[std::min(k + step.ahead, step.count - 1)];
-      __builtin_prefetch(&step.discs[later], 1);
-      __builtin_prefetch(&step.loads[later], 1);
-      __builtin_prefetch(&step.half_steps[later], 1);
-    }
     const double radius = disc.radius(), kick = step.half_steps[i][3];
     const Four dv =
         Four{kick, kick, step.spin_kicks[i], 0} * Four{load.f_x(), load.f_y(), load.torque(radius), 0};
@@ -148,7 +144,8 @@ FOR_EACH_PROCESSOR double move_discs(const OpenStep& step) {
     load = {};
     fastest = std::max(fastest, half[0] * half[0] + half[1] * half[1]);
   }
-  return fastest;
+  step.next = k;
+  step.fastest = fastest;
 }
 
 }  // namespace
@@ -157,15 +154,12 @@ FOR_EACH_PROCESSOR double move_discs(const OpenStep& step) {
 void FixNveDisc::go_on() {
   if (!members_known_) find_members();
   static_assert(sizeof(HalfStep) == sizeof(Four));
-  const OpenStep step{members_.data(),
-                      static_cast<int>(members_.size()),
-                      update->dt,
-                      &half_steps_.data()->values,
-                      spin_kicks_.data(),
-                      packed_->discs.data(),
-                      packed_->loads.data(),
-                      packed_->exceed_cache() ? 16 : 0};
-  packed_->furthest = std::max(packed_->furthest, std::sqrt(move_discs(step)) * step.dt);
+  OpenStep step{members_.data(),      static_cast<int>(members_.size()),
+                update->dt,           &half_steps_.data()->values,
+                spin_kicks_.data(),   packed_->discs.data(),
+                packed_->loads.data()};
+  law_->complete_step([&step](int before) { move_discs(step, before); });
+  packed_->furthest = std::max(packed_->furthest, std::sqrt(step.fastest) * step.dt);
   packed_->step = update->ntimestep;
 }
 

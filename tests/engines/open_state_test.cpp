@@ -24,7 +24,11 @@ struct Outcome {
 
 /// A ring cell that is pressed together and sheared so fast that neighbour lists are built several times; the
 /// outer ring comes to rest after 600 of 1000 steps. `lines`: what else there is.
-Outcome shear(const std::string& tangential, const std::string& lines) {
+Outcome shear(const std::string& tangential, const std::string& lines, bool rings_come_first = false) {
+  const std::string discs = "fix integrate free nve/disc\n",
+                    rings =
+                        "fix cell wall couette/2d center 0 0 inner rough inner 0.04 outer rough outer 0.1 "
+                        "omega_inner 4 compact 0.08 0.024\n";
   Engine engine;
   engine.run(scene("model disc/linear tangential " + tangential, {}, 0.12, 4, "f f p", "0.0006"));
   engine.run(
@@ -32,10 +36,8 @@ Outcome shear(const std::string& tangential, const std::string& lines) {
       "create_ring 0 0 0.1 number 110 type 4 radius 0.0025 density 6.36\n"
       "create_discs ring 0 0 0.04 0.1 seed 7 density 6.36 velocity 0.3 discs 200 1 0.004 discs 30 2 0.005\n"
       "group inner type 3\ngroup outer type 4\ngroup wall type 3 4\ngroup free type 1 2\n"
-      "neigh_modify exclude group wall wall\ntimestep 4e-5\nfix integrate free nve/disc\n"
-      "compute contacts all contact/disc\n"
-      "fix cell wall couette/2d center 0 0 inner rough inner 0.04 outer rough outer 0.1 omega_inner 4 "
-      "compact 0.08 0.024\n");
+      "neigh_modify exclude group wall wall\ntimestep 4e-5\ncompute contacts all contact/disc\n" +
+      (rings_come_first ? rings + discs : discs + rings));
   engine.run(lines + "run 1000\n");
   const bool bottom = lines.find("fix bottom ") != std::string::npos;
   return {engine.discs(), engine.contacts(), static_cast<int>(engine.lammps().neighbor->ncalls),
@@ -88,6 +90,11 @@ TEST_P(OpenState, IsWrittenToRestartFiles) {
   const auto restarts = "restart 400 " + start + "*\n";
   expect_same_bits(shear(GetParam(), restarts), shear(GetParam(), restarts + look_at_each_step));
   for (const char* step : {"400", "800"}) std::remove((start + step).c_str());
+}
+
+/// Contacts act before wall discs are moved on, whoever comes first.
+TEST_P(OpenState, DoesNotDependOnTheOrderOfFixes) {
+  expect_same_bits(shear(GetParam(), ""), shear(GetParam(), "", true));
 }
 
 /// The bottom acts on what lies in the rows.
