@@ -35,10 +35,10 @@ def bild6():
     left.legend(fontsize=7)
     draw_directions(right, profiles.box(bidisperse()))
     sheet.save_picture(drawing, "bild6")
-    sheet.save_numbers("bild6", kept, ["slope: tr F over nu C (number-averaged) of six samples of each distribution, through the origin; rows: half width in % of "
+    sheet.save_numbers("bild6", kept, ["slope: tr F over nu C (number-averaged) of four samples of each distribution, through the origin; rows: half width in % of "
                                        "eight uniform distributions of radii, then the ratio of two sizes"])
     return ("Left: trace of the fabric tensor over g_2 of the radii (Eq. 10), over the solid fraction times the mean number of contacts (number-averaged), for "
-            "eleven distributions of radii and six states each (three pressures, with and without friction), 600 discs. Eq. 10 is the dashed line: it takes a "
+            "eleven distributions of radii and four states each (two pressures, with and without friction), 600 discs. Eq. 10 is the dashed line: it takes a "
             "disc's contacts to grow with its share of the horizon, which discs without contacts, most of them small, do not. Right: directions of the "
             "contacts of the bidisperse sample 1:3, with the isotropic part, the first and the second harmonic.")
 

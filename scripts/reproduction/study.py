@@ -61,7 +61,7 @@ RATIOS = (1.5, 2, 3)
 
 def size_distributions():
     """Name and samples of each distribution, from loose to dense: friction and pressure change the number of contacts."""
-    states = ((0.5, 20), (0.5, 200), (0.5, 1000), (0.0, 20), (0.0, 200), (0.0, 1000))
+    states = ((0.5, 20), (0.5, 1000), (0.0, 20), (0.0, 1000))
     for width in WIDTHS:
         small, large = round(1e-3 * (1 - width), 7), round(1e-3 * (1 + width), 7)
         yield f"$\\pm${100 * width:g} %", [isotropic("uniform", small, large, p, mu) for mu, p in states]

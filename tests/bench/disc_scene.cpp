@@ -149,6 +149,9 @@ DiscScene large_cell(int free_discs) {
   add_ring(scene.discs, scene.r_inner, static_cast<int>(2 * pi * scene.r_inner / pitch), type_of_wheel);
   add_ring(scene.discs, scene.r_outer, static_cast<int>(2 * pi * scene.r_outer / pitch), type_of_outer_ring);
   compact(scene, r_end);
+  // Of so many discs the fastest leaves a thin skin soon. Stock LIGGGHTS is as fast with twice the skin of
+  // run A as with one (300,000: 50.4 and 51.4 ms per step), the disc styles are faster.
+  scene.skin *= 2;
   return scene;
 }
 

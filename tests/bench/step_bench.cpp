@@ -229,9 +229,9 @@ int run(int argc, char** argv) {
   data_file.resize(256);
   MPI_Bcast(data_file.data(), 256, MPI_CHAR, 0, MPI_COMM_WORLD);
   data_file.resize(data_file.find('\0') == std::string::npos ? 256 : data_file.find('\0'));
-  double radii[2] = {scene.r_inner, scene.r_outer};
-  MPI_Bcast(radii, 2, MPI_DOUBLE, 0, MPI_COMM_WORLD);
-  scene.r_inner = radii[0], scene.r_outer = radii[1];
+  double lengths[3] = {scene.r_inner, scene.r_outer, scene.skin};
+  MPI_Bcast(lengths, 3, MPI_DOUBLE, 0, MPI_COMM_WORLD);
+  scene.r_inner = lengths[0], scene.r_outer = lengths[1], scene.skin = lengths[2];
   if (rank == 0) write_data_file(scene, data_file);
   wait_for_rank_0();
 
