@@ -28,22 +28,23 @@ def states(case):
     return np.array(states).T
 
 
-def between(nu, holds):
-    """The density at which something begins to hold: the middle of the two between which it does, and half their distance."""
-    k = np.flatnonzero(holds[1:] != holds[:-1])
-    return None if len(k) == 0 else (0.5 * (nu[k[0]] + nu[k[0] + 1]), 0.5 * (nu[k[0] + 1] - nu[k[0]]))
+def from_here_on(nu, holds):
+    """The density above which something holds: the middle of the last at which it does not and the next, and half their distance."""
+    k = np.flatnonzero(~holds)
+    if len(k) == 0:
+        return f"below {nu[0]:.4f}"
+    return f"above {nu[-1]:.4f}" if k[-1] == len(nu) - 1 else f"{0.5 * (nu[k[-1]] + nu[k[-1] + 1]):.4f} ± {0.5 * (nu[k[-1] + 1] - nu[k[-1]]):.4f}"
 
 
 def thresholds(case):
     nu, _, _, free, second = states(case)
-    for found in (between(nu, free < UNLOADED), between(nu, (free < UNLOADED) & (second < FROZEN))):
-        yield f"{found[0]:.4f} ± {found[1]:.4f}" if found else f"outside of {nu[0]:.4f} to {nu[-1]:.4f}"
+    return [from_here_on(nu, free < UNLOADED), from_here_on(nu, second < FROZEN)]
 
 
 def rows():
     """For the table: both thresholds of every case."""
     remarks = ("below: nothing touches the wheel for more than half of the time", "above: the second layer moves at less than 0.15 of the wheel")
-    found = {case: list(thresholds(case)) for case in CASES}
+    found = {case: thresholds(case) for case in CASES}
     return [[f"{name} density, {case}", "-", found[case][k], remarks[k]] for k, name in enumerate(("stress-free", "frozen")) for case in CASES]
 
 
@@ -66,7 +67,8 @@ def draw_thresholds():
     sheet.save_picture(drawing, "thresholds")
     sheet.save_numbers("thresholds", kept, ["means over a third of a turn, of run B over 60 s; errors of ten blocks"])
     return ("Pressure on the wheel (left), and the angular velocity of the second layer of discs over that of the wheel (right), over the density of the cell: "
-            + "; ".join(f"{case}: stress-free below {low}, frozen above {high}" for case, (low, high) in ((case, tuple(thresholds(case))) for case in CASES))
-            + " (the middle between two densities and half of their distance). Stress-free: nothing touches the wheel in more than half of all intervals of "
+            + "; ".join(f"{case}: {low} and {high}" for case, (low, high) in ((case, thresholds(case)) for case in CASES))
+            + " (the density up to which it is stress-free and that from which on it is frozen: the middle between two densities of one packing each, and half of their "
+            "distance; packings differ by more under the springs, where the pressure jumps with the first density that carries a load, and the second layer slows down little by little). Stress-free: nothing touches the wheel in more than half of all intervals of "
             "10 ms; these points are left out on the right. Frozen: the second layer moves at less than 0.15 of the wheel (dotted), half of its rate in run B. "
             "One packing for each density; but for run B a third of a turn is discarded and a third averaged.")
