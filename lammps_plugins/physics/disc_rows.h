@@ -24,6 +24,7 @@ struct alignas(64) DiscRow {
   double y() const { return place[1]; }
   double radius() const { return place[2]; }
   PlaneVector velocity() const { return {motion[0], motion[1]}; }
+  double spin() const { return motion[2]; }
   void move_to(double x, double y) {
     place[0] = x;
     place[1] = y;
@@ -37,6 +38,12 @@ struct alignas(32) DiscLoad {
   Four sums{0, 0, 0, 0};
 
   void add_force(double f_x, double f_y) { sums += Four{f_x, f_y, 0, 0}; }
+  /// A torque [N m] on a disc of that radius [m], after all of its contacts: as it would be added to their
+  /// sum.
+  void add_torque(double torque_of_wall, double radius) {
+    sums[3] = -(torque(radius) + torque_of_wall);
+    sums[2] = 0;
+  }
   double f_x() const { return sums[0]; }
   double f_y() const { return sums[1]; }
   double torque(double radius) const { return radius * sums[2] - sums[3]; }

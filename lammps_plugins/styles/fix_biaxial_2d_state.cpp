@@ -82,10 +82,9 @@ std::array<double, 4> FixBiaxial2d::stiffness_of_contacts() const {
   std::array<double, 4> sums{};
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
+    const auto disc = walls_.disc(i);
     for (int side = 0; side < 4; ++side) {
-      const auto& wall = walls[side];
-      const double overlap = atom->radius[i] + (atom->x[i][0] - wall.point.x) * wall.outward.x +
-                             (atom->x[i][1] - wall.point.y) * wall.outward.y;
+      const double overlap = disc.radius - physics::nearest_point(walls[side], disc.position).distance;
       if (overlap <= 0) continue;
       const double k_n = law.parameters(atom->type[i], kinds[side].type).normal_stiffness;
       sums[side] +=

@@ -5,6 +5,7 @@
 
 #include "engine_access.h"
 #include "fix.h"
+#include "fix_biaxial_2d.h"
 #include "fix_bottom_friction.h"
 #include "fix_couette_2d.h"
 #include "modify.h"
@@ -18,11 +19,13 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-/// While the state is open, rings move wall discs in their rows, and the bottom acts on rows and loads.
+/// While the state is open, rings move wall discs in their rows, and smooth walls and the bottom act on rows
+/// and loads.
 bool may_act(const Fix& fix, int mask) {
   using namespace FixConst;
   int in_rows = 0;
-  if (dynamic_cast<const FixCouette2d*>(&fix)) in_rows = INITIAL_INTEGRATE | PRE_EXCHANGE;
+  if (dynamic_cast<const FixCouette2d*>(&fix)) in_rows = INITIAL_INTEGRATE | PRE_EXCHANGE | POST_FORCE;
+  if (dynamic_cast<const FixBiaxial2d*>(&fix)) in_rows = INITIAL_INTEGRATE | POST_FORCE | FINAL_INTEGRATE;
   if (dynamic_cast<const FixBottomFriction*>(&fix)) in_rows = POST_FORCE;
   return leaves_discs_alone(fix, mask & ~in_rows);
 }

@@ -36,9 +36,9 @@ struct PackedDiscs {
   bool exceed_cache() const { return physics::rows_exceed_cache(discs.size()); }
 };
 
-/// Whether nothing but the pair style, fix nve/disc (the integrator), fix couette/2d and fix bottom/friction
-/// needs discs within a step, so that the state may stay open. Other fixes and computes that only look at the
-/// end of certain steps do no harm.
+/// Whether nothing but the pair style, fix nve/disc (the integrator), fix couette/2d, fix biaxial/2d and fix
+/// bottom/friction needs discs within a step, so that the state may stay open. Other fixes and computes that
+/// only look at the end of certain steps do no harm.
 bool may_stay_open(LAMMPS_NS::LAMMPS& engine, const LAMMPS_NS::Fix& integrator);
 
 /// Whether the engine is going to build its neighbour lists in this step, however far discs have moved.

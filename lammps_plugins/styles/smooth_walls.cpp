@@ -37,24 +37,23 @@ void SmoothWalls::choose_among(const Effects& wanted, std::integer_sequence<int,
   (choose.template operator()<physics::effects_of_combination(numbers)>(), ...);
 }
 
-void SmoothWalls::choose_loop() {
-  const DiscLaw* law = active_disc_law(*lmp);
-  if (!law) stop(*lmp, style_, std::string("smooth walls need '") + disc_pair_style + "' before the run");
-  choose_among(law->effects(), std::make_integer_sequence<int, physics::effect_combinations>{});
+void SmoothWalls::find_law() {
+  law_ = active_disc_law(*lmp);
+  if (!law_) stop(*lmp, style_, std::string("smooth walls need '") + disc_pair_style + "' before the run");
+  choose_among(law_->effects(), std::make_integer_sequence<int, physics::effect_combinations>{});
 }
 
 void SmoothWalls::init(const std::vector<physics::SmoothWall>& walls) {
-  choose_loop();
+  find_law();
   check_group();
   if (!has_run_) check_cuts(walls);
   has_run_ = true;
-  const DiscLaw& law = *active_disc_law(*lmp);
   parameters_.clear();
   for (const WallKind& kind : kinds_) {
     auto& of_wall = parameters_.emplace_back();
-    for (int type = 1; type <= atom->ntypes; ++type) of_wall.push_back(law.parameters(type, kind.type));
+    for (int type = 1; type <= atom->ntypes; ++type) of_wall.push_back(law_->parameters(type, kind.type));
   }
-  step_.predicted = law.velocities_predicted();
+  step_.predicted = law_->velocities_predicted();
   schedule_.look_up(*lmp);
   recorded_step_ = -1;
   walls_then_.clear();
@@ -117,16 +116,41 @@ void SmoothWalls::find_near(const std::vector<physics::SmoothWall>& walls) {
   for (auto& of_wall : near_) of_wall.clear();
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!touches_walls(i)) continue;
+    const auto position = disc(i).position;
     const double reach = atom->radius[i] + neighbor->skin;
     for (std::size_t k = 0; k < walls.size(); ++k) {
-      if (physics::nearest_point(walls[k], {atom->x[i][0], atom->x[i][1]}).distance < reach)
-        near_[k].push_back(i);
+      if (physics::nearest_point(walls[k], position).distance < reach) near_[k].push_back(i);
     }
   }
   walls_then_ = walls;
 }
 
+physics::MovingDisc SmoothWalls::disc(int i) const {
+  if (law_ && law_->packed_discs().open) {
+    const auto& row = law_->packed_discs().discs[i];
+    return {{row.x(), row.y()}, row.velocity(), row.spin(), row.radius()};
+  }
+  const double *x = atom->x[i], *v = atom->v[i];
+  return {{x[0], x[1]}, {v[0], v[1]}, atom->omega[i][2], atom->radius[i]};
+}
+
+/// After the contacts between discs, where the state is open and where it is not: the same sums.
+template <Effects effects>
+void SmoothWalls::add_to_disc(int i, const physics::PlaneVector& force, double torque) {
+  auto& packed = law_->packed_discs();
+  if (packed.open) {
+    packed.loads[i].add_force(force.x, force.y);
+    if constexpr (effects.tangential != Tangential::none)
+      packed.loads[i].add_torque(torque, packed.discs[i].radius());
+  } else {
+    atom->f[i][0] += force.x;
+    atom->f[i][1] += force.y;
+    if constexpr (effects.tangential != Tangential::none) atom->torque[i][2] += torque;
+  }
+}
+
 void SmoothWalls::apply(const std::vector<physics::SmoothWall>& walls) {
+  if (law_->packed_discs().open) law_->complete_step();
   bool search = neighbor->ago == 0 || walls_then_.empty();
   for (std::size_t k = 0; !search && k < walls.size(); ++k)
     search = physics::displacement(walls_then_[k], walls[k]) > neighbor->skin / 2;
@@ -155,8 +179,7 @@ physics::WallSpring* SmoothWalls::spring_of(int i, int number, bool make) {
 template <Effects effects>
 void SmoothWalls::touch(int number, const physics::SmoothWall& wall) {
   for (const int i : near_[number]) {
-    const double *x = atom->x[i], *v = atom->v[i];
-    const physics::MovingDisc disc{{x[0], x[1]}, {v[0], v[1]}, atom->omega[i][2], atom->radius[i]};
+    const auto disc = this->disc(i);
     const auto at = physics::nearest_point(wall, disc.position);
     const bool contact = at.distance < disc.radius;
     physics::WallSpring none, *spring = &none;
@@ -173,9 +196,7 @@ void SmoothWalls::touch(int number, const physics::SmoothWall& wall) {
     const auto& n = at.normal;
     const physics::PlaneVector on_disc{-force.f_n * n.x - force.f_t * n.y,
                                        -force.f_n * n.y + force.f_t * n.x};
-    atom->f[i][0] += on_disc.x;
-    atom->f[i][1] += on_disc.y;
-    if constexpr (effects.tangential != Tangential::none) atom->torque[i][2] += at.distance * force.f_t;
+    add_to_disc<effects>(i, on_disc, at.distance * force.f_t);
     loads_[number].add(wall, at, force.f_n, on_disc);
     if (recording_) record(i, number, at, state, force);
   }

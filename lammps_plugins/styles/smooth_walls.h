@@ -13,6 +13,8 @@
 
 namespace mikromakro::styles {
 
+class DiscLaw;
+
 /// Discs of a group, without those of some other groups, touch up to four walls under the disc law that is
 /// active. The owner moves the walls and hands over the engine's calls about arrays of atoms. A disc costs
 /// nothing where no wall is within the skin of the neighbour list; springs are kept only for discs that
@@ -41,6 +43,8 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   /// On the discs of this rank, by the last apply().
   const std::vector<physics::WallLoad>& loads() const { return loads_; }
   bool append_contacts(int group_bit, std::vector<ContactRow>& rows) const;
+  /// A disc as it is now: in its row, where the state is open.
+  physics::MovingDisc disc(int i) const;
   /// The atoms carry velocities that were predicted for the instant of their positions.
   bool velocities_predicted() const { return step_.predicted; }
 
@@ -66,7 +70,9 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   };
 
   bool touches_walls(int i) const;
-  void choose_loop();
+  template <physics::Effects effects>
+  void add_to_disc(int i, const physics::PlaneVector& force, double torque);
+  void find_law();
   void check_group() const;
   void find_near(const std::vector<physics::SmoothWall>& walls);
   void forget_unused_springs();
@@ -85,6 +91,7 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   std::vector<WallKind> kinds_;
   std::vector<std::string> names_;
   std::vector<std::vector<physics::ContactParameters>> parameters_;  // of each wall with each type
+  DiscLaw* law_ = nullptr;
   Loop loop_ = nullptr;
   physics::StepOfSlip step_{0.0, false};
   // Discs within the skin of each wall, and where the walls stood when these were found.

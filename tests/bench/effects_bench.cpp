@@ -55,7 +55,7 @@ std::vector<Law> laws() {
           {"spring, no attraction", spring + "limitForce on"},
           {"Hertz, spring", "model disc/hertz tangential disc/cundall_strack"},
           {"spring, bottom friction", spring, "fix bottom free bottom/friction 2e-5 9.81\n"},
-          {"spring, smooth walls besides, untouched", spring, untouched_walls, false, true},
+          {"spring, smooth walls besides, untouched", spring, untouched_walls},
           {"spring, contacts recorded in each step", spring, "compute contacts all contact/disc\nthermo 1\n",
            false, true},
           {"spring, thermo line in each step, nothing recorded", spring, "thermo 1\n", false, true}};
