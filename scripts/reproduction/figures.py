@@ -132,13 +132,13 @@ def stress_like(name, tensor, unit, sign):
 @figure("bild7", "Bild 7: isotropic and deviatoric stress", densities("viscous"))
 def bild7():
     stress_like("bild7", "sigma", ("\\sigma", " (Pa)"), -1)
-    return "Trace (a) and deviator (b) of the stress over 60 rings under Eq. 1, a line for each density; compression positive here."
+    return "Trace (left) and deviator (right) of the stress over 60 rings under Eq. 1, a line for each density; compression positive here."
 
 
 @figure("bild8", "Bild 8: isotropic and deviatoric elastic strain", densities("viscous"))
 def bild8():
     stress_like("bild8", "eps", ("\\epsilon", ""), -1)
-    return "Trace (a) and deviator (b) of the best-fit elastic displacement gradient (Eq. 20) over 60 rings under Eq. 1; compression positive here."
+    return "Trace (left) and deviator (right) of the best-fit elastic displacement gradient (Eq. 20) over 60 rings under Eq. 1; compression positive here."
 
 
 def over_fabric(name, column, ylabel, scale, limit):
