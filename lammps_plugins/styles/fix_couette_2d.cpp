@@ -166,7 +166,6 @@ void FixCouette2d::carry_rows(LAMMPS_NS::bigint step) {
   const Rings rings = rings_at(step);
   for (int side = 0; side < 2; ++side) {
     const auto& ring = rings[side];
-    for (const int i : members_[side]) packed_->loads[i] = {};
     if (ring.rotation_rate == 0 && settings_.rings[side].motion.course.is_over(clock_.time_at(step - 1)))
       continue;
     for (const int i : members_[side]) {

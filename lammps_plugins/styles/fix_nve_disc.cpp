@@ -78,9 +78,8 @@ void FixNveDisc::initial_integrate(int /*vflag*/) {
 
 void FixNveDisc::find_members() {
   members_.clear();
-  for (int i = 0; i < atom->nlocal; ++i) {
-    if (atom->mask[i] & groupbit) members_.push_back(i);
-  }
+  others_.clear();
+  for (int i = 0; i < atom->nlocal; ++i) (atom->mask[i] & groupbit ? members_ : others_).push_back(i);
   seen_elsewhere_ = atoms_with_ghosts(*comm, atom->nlocal);
   members_known_ = true;
 }
@@ -159,6 +158,8 @@ void FixNveDisc::go_on() {
                 spin_kicks_.data(),   packed_->discs.data(),
                 packed_->loads.data()};
   law_->complete_step([&step](int before) { move_discs(step, before); });
+  // Whether a ring carries them or nobody moves them.
+  for (const int i : others_) packed_->loads[i] = {};
   packed_->furthest = std::max(packed_->furthest, std::sqrt(step.fastest) * step.dt);
   packed_->step = update->ntimestep;
 }

@@ -80,9 +80,9 @@ class FixNveDisc : public FixOfEngine {
   };
   static constexpr int size_of_half_step = 5;  // numbers that go with a disc to another rank
   std::vector<HalfStep> half_steps_;
-  std::vector<double> spin_kicks_;   // dt / 2I
-  std::vector<int> members_;         // local numbers of the discs of the group
-  std::vector<int> seen_elsewhere_;  // local numbers of discs that have ghosts
+  std::vector<double> spin_kicks_;     // dt / 2I
+  std::vector<int> members_, others_;  // local numbers of the discs of the group, and of all others
+  std::vector<int> seen_elsewhere_;    // local numbers of discs that have ghosts
   bool members_known_ = false;
   LastForces last_forces_;
   bool resumes_ = false;        // the next step is the first of a run

@@ -67,14 +67,15 @@ Outcome shear_smoothly(const std::string& tangential, const std::string& lines) 
   return outcome(engine, "cell", 9, lines.find("fix bottom ") != std::string::npos);
 }
 
-/// In a box whose walls press and shear, all in their own way.
+/// In a box whose walls press and shear, all in their own way; some discs are glued to the plane.
 Outcome press(const std::string& tangential, const std::string& lines) {
   Engine engine;
   engine.run(
       scene("model disc/linear tangential " + tangential, {}, 0.12, 4, "f f p", "0.0006") +
       "create_discs box -0.08 0.08 -0.08 0.08 seed 7 density 6.36 velocity 0.5 discs 150 1 0.004 discs 30 2 "
       "0.005\n"
-      "timestep 4e-5\ncompute contacts all contact/disc\nfix integrate all nve/disc\n"
+      "timestep 4e-5\ncompute contacts all contact/disc\ngroup glued id <= 20\n"
+      "velocity glued set 0 0 0\ngroup moving subtract all glued\nfix integrate moving nve/disc\n"
       "fix box all biaxial/2d type 3 left -0.08 strain rate 0.2 right 0.08 stress 30 mass 0.02 damping 0.5 "
       "bottom -0.08 fixed top 0.08 strain cosine 0.06 0.03\n" +
       lines + "run 1000\n");
@@ -163,7 +164,7 @@ TEST_P(OpenState, IsTheStateBetweenSmoothRings) {
 
 TEST_P(OpenState, IsTheStateInABox) {
   const auto open = press(GetParam(), "");
-  EXPECT_GT(contacts_with_walls(open), 20);
+  EXPECT_GT(contacts_with_walls(open), 5);
   EXPECT_GT(open.lists_built, 5);
   expect_same_bits(open, press(GetParam(), look_at_each_step));
   expect_same_bits(open, press(GetParam(), act_in_each_step));
