@@ -4,7 +4,6 @@ import glob
 import json
 import os
 
-import matplotlib.ticker
 import numpy as np
 
 from accuracy import runs
@@ -122,6 +121,12 @@ def draw_positions():
 STEPS = (8, 10, 15, 20, 30, 54)
 
 
+def frame(mean, error):
+    """Limits of a diagram that shows all but the coarsest step, which may be far off."""
+    low, high = np.min((mean - error)[1:]), np.max((mean + error)[1:])
+    return low - 0.1 * (high - low), high + 0.1 * (high - low)
+
+
 def draw_answers():
     drawing, sheets = sheet.axes(columns=3, rows=2, width=3.6, height=3)
     folders = {n: [] for n in STEPS}
@@ -135,17 +140,16 @@ def draw_answers():
         mean, error = np.array([found[n][key] for n in STEPS]).T
         one.errorbar(STEPS, mean, error, fmt="o", color="k", ms=4, lw=0.8)
         one.axhspan(0.99 * mean[-1], 1.01 * mean[-1], color="0.85")
-        one.set(xlabel="$t_c/\\Delta t$", ylabel=name, xscale="log", yscale="log")
+        one.set(xlabel="$t_c/\\Delta t$", ylabel=name, xscale="log", ylim=frame(mean, error))
+        if not one.get_ylim()[0] < mean[0] < one.get_ylim()[1]:
+            one.set_title(f"beyond the frame: {mean[0]:.3g} at $t_c$/{STEPS[0]}", fontsize=8)
         kept |= {key: mean, key + "_err": error}
     sheets.flat[5].loglog(STEPS, [np.median(costs[n]) for n in STEPS], "ko-", ms=4)
     sheets.flat[5].set(xlabel="$t_c/\\Delta t$", ylabel="processor s per simulated s")
     for one in sheets.flat:
         one.set_xticks(STEPS, [str(n) for n in STEPS])
         one.minorticks_off()
-        low, high = one.get_ylim()
-        ticks = [tick for tick in matplotlib.ticker.MaxNLocator(5).tick_values(low, high) if low <= tick <= high] if high < 10 * low else None
-        if ticks:
-            one.set_yticks(ticks, [f"{tick:.3g}" for tick in ticks])
+    sheets.flat[5].set_yticks(ticks := (0.2, 0.3, 0.4, 0.5, 0.6, 0.7), [str(tick) for tick in ticks])
     sheet.save_picture(drawing, "accuracy_answers", 90)
     sheet.save_numbers("accuracy_answers", kept, [f"{cell.run}, Eq. 1, seeds {cell.seeds}: means and standard errors; {cell.measure_time} s after "
                                                   f"{cell.discard_time} s of shear"])
