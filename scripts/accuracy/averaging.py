@@ -10,7 +10,8 @@ from reproduction import profiles, sheet
 
 TITLE = "Averages"
 WEIGHTS = ("sliced", "centre", "gauss:0.002", "gauss:0.004", "lucy:0.008")
-RINGS, FRAMES, REPETITIONS = (10, 20, 60, 150), (1, 3, 10, 30, 100, 300), 5
+# Numbers of frames divide 1000, so that all of them span the same time.
+RINGS, FRAMES, REPETITIONS = (10, 20, 60, 150), (1, 4, 10, 40, 100, 250, 500), 5
 COLUMNS = {"nu": "nu", "v_phi": "v_phi", "pressure": "-tr sigma"}
 
 
@@ -74,7 +75,7 @@ def draw(errors, by_weight, times):
     drawing, (left, right) = sheet.axes(columns=2)
     for (name, label), marker, colour in zip(COLUMNS.items(), "osD", sheet.shades(3)):
         left.loglog(FRAMES, errors[name], marker + "-", color=colour, ms=4, label=label)
-    left.loglog([1, 300], [0.3, 0.3 / 300**0.5], "k--", lw=0.8, label="1/$\\sqrt{frames}$")
+    left.loglog([1, 500], [0.3, 0.3 / 500**0.5], "k--", lw=0.8, label="1/$\\sqrt{frames}$")
     left.set(xlabel="frames", ylabel="rms difference from all frames", title="60 rings, sliced")
     left.legend()
     for weight, marker, colour in zip(WEIGHTS, sheet.MARKERS, sheet.shades(len(WEIGHTS))):

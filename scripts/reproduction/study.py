@@ -36,7 +36,7 @@ def slow_run():
 SHORTER = {"discard_time": 20.94, "measure_time": 20.94}
 LADDERS = {
     "viscous": ((2431, 400), (2451, 400), (2471, 400), RUNS["B"], (2575, 400), (2600, 400), (2640, 400)),
-    "cundall_strack": ((2391, 400), (2431, 400), (2451, 400), (2471, 400), (2511, 400), (2530, 397), RUNS["B"], (2575, 400)),
+    "cundall_strack": ((2391, 400), (2431, 400), (2451, 400), (2471, 400), (2511, 400), (2530, 397), RUNS["B"], (2575, 400), (2600, 400), (2640, 400)),
 }
 CASES = {
     "Eq. 1": ("viscous", {}),
@@ -48,10 +48,22 @@ CASES = {
 }
 
 
-def ladder(case):
-    """The runs of a case, from loose to dense."""
+# Packings differ little under Eq. 1, and below the first density at which springs carry a load, and much above it.
+SPRINGS_CARRY_FROM = (2511, 400)
+
+
+def packings(case):
+    """The runs of a case for each density, from loose to dense: one packing, or three where they differ."""
     law, changed = CASES[case]
-    return [couette(*numbers, law, **changed, **({} if numbers == RUNS["B"] and not changed else SHORTER)) for numbers in LADDERS[law]]
+    numbers = LADDERS[law]
+    several = numbers.index(SPRINGS_CARRY_FROM) if law == "cundall_strack" else len(numbers)
+    return [[couette(*one, law, seed, **changed, **({} if one == RUNS["B"] and not changed else SHORTER)) for seed in (SEEDS if k >= several else SEEDS[:1])]
+            for k, one in enumerate(numbers)]
+
+
+def ladder(case):
+    """The first packing of each density."""
+    return [runs[0] for runs in packings(case)]
 
 
 # Bild 6: eight uniform distributions of radii (mm), half the width over the mean, and three of two sizes.
