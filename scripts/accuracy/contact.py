@@ -84,9 +84,9 @@ def section():
     yield ("The dashpot's force jumps where discs meet and part. A step counts a force from half a step before to half a step after it, so that each "
            "jump is misplaced by up to "
            "half a step: order 1, whatever the velocities. Its force for the share of the step in contact (`force_of_step` in `physics/contact_law.h`) "
-           "restores order 2. It is not what `fix nve/disc` does: it is not free (6 % of the evaluation of a pair without friction, 11 % under Eq. 1, 13 % "
-           "with a spring; 3 to 9 % of a step), and four runs of `inputs/biaxial` with it had sin(phi) = 0.278 +- 0.003, four without it "
-           "0.298 +- 0.007, which is not understood yet: runs with shorter steps have to tell which is right. Half-step velocities keep a bias of order 1 besides.")
+           "restores order 2. It is not what `fix nve/disc` does: it is not free. With it (commit 6f399b5) the evaluation of a pair took 6 % longer without friction, 11 % under Eq. 1, 13 % "
+           "with a spring, a step 3 to 9 %, and no macroscopic answer asks for it: those of the cell (below) and sin(phi) of [the biaxial box](../../inputs/biaxial/README.md) do not follow the time step, "
+           "up to t_c/15 and t_c/13. Half-step velocities keep a bias of order 1 besides.")
     yield ""
     yield (f"Without dashpots nothing jumps, and all schemes are the same. The energy of an elastic rebound drifts by {drift[1][at_rule]:.0e} of "
            f"itself on average at t_c/57, and scatters by "
