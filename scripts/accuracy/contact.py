@@ -86,7 +86,7 @@ def section():
            "half a step: order 1, whatever the velocities. Its force for the share of the step in contact (`force_of_step` in `physics/contact_law.h`) "
            "restores order 2. It is not what `fix nve/disc` does: it is not free. With it (commit 6f399b5) the evaluation of a pair took 6 % longer without friction, 11 % under Eq. 1, 13 % "
            "with a spring, a step 3 to 9 %, and no macroscopic answer asks for it: those of the cell (below) and sin(phi) of [the biaxial box](../../inputs/biaxial/README.md) do not follow the time step, "
-           "up to t_c/15 and t_c/13. Half-step velocities keep a bias of order 1 besides.")
+           "up to t_c/15 and t_c/13. Four runs of the box with it had sin(phi) = 0.278 +- 0.003, less than at any time step without it, which is not explained. Half-step velocities keep a bias of order 1 besides.")
     yield ""
     yield (f"Without dashpots nothing jumps, and all schemes are the same. The energy of an elastic rebound drifts by {drift[1][at_rule]:.0e} of "
            f"itself on average at t_c/57, and scatters by "
