@@ -2,9 +2,9 @@
 from reproduction.simulations import biaxial, couette, isotropic
 
 LAWS = ("viscous", "cundall_strack")
-# Small and large discs: from below the density at which the wheel loses its contacts to above that at which the cell freezes.
-DENSITIES = ((2431, 400), (2471, 400), (2491, 400), (2511, 400), (2530, 397), (2545, 394), (2550, 397), (2555, 399), (2575, 400),
-             (2600, 400))
+# Small and large discs: from below the density at which the wheel loses its contacts to above that at which the cell freezes, under either law.
+DENSITIES = ((2391, 400), (2431, 400), (2471, 400), (2491, 400), (2511, 400), (2530, 397), (2545, 394), (2550, 397), (2555, 399), (2575, 400),
+             (2600, 400), (2640, 400))
 RUNS = {"A": (2511, 400), "B": (2545, 394), "C": (2555, 399)}
 SEEDS = (1, 2, 3)
 

@@ -24,7 +24,14 @@ struct Outcome {
   std::vector<double> walls;  // all numbers of fix biaxial/2d or couette/2d
 };
 
-Outcome outcome(Engine& engine, const char* walls, int numbers, bool bottom) {
+/// 1000 steps of a scene, in which neighbour lists are built several times: what `set_up` makes, and `lines`,
+/// what else there is. `walls`: the fix that has so many numbers.
+Outcome run(const std::string& tangential, const std::string& set_up, const std::string& lines,
+            const char* walls, int numbers) {
+  Engine engine;
+  engine.run(scene("model disc/linear tangential " + tangential, {}, 0.12, 4, "f f p", "0.0006") +
+             "timestep 4e-5\ncompute contacts all contact/disc\n" + set_up + lines + "run 1000\n");
+  const bool bottom = lines.find("fix bottom ") != std::string::npos;
   Outcome found{engine.discs(),
                 engine.contacts(),
                 static_cast<int>(engine.lammps().neighbor->ncalls),
@@ -34,52 +41,45 @@ Outcome outcome(Engine& engine, const char* walls, int numbers, bool bottom) {
   return found;
 }
 
-/// A ring cell that is pressed together and sheared so fast that neighbour lists are built several times; the
-/// outer ring comes to rest after 600 of 1000 steps. `lines`: what else there is.
+const std::string discs_in_ring =
+    "create_discs ring 0 0 0.04 0.1 seed 7 density 6.36 velocity 0.3 discs 200 1 0.004 discs 30 2 0.005\n";
+
+/// A ring cell that is pressed together and sheared fast; the outer ring comes to rest after 600 steps.
 Outcome shear(const std::string& tangential, const std::string& lines, bool rings_come_first = false) {
   const std::string discs = "fix integrate free nve/disc\n",
                     rings =
                         "fix cell wall couette/2d center 0 0 inner rough inner 0.04 outer rough outer 0.1 "
                         "omega_inner 4 compact 0.08 0.024\n";
-  Engine engine;
-  engine.run(scene("model disc/linear tangential " + tangential, {}, 0.12, 4, "f f p", "0.0006"));
-  engine.run(
-      "create_ring 0 0 0.04 number 40 type 3 radius 0.0025 density 6.36\n"
-      "create_ring 0 0 0.1 number 110 type 4 radius 0.0025 density 6.36\n"
-      "create_discs ring 0 0 0.04 0.1 seed 7 density 6.36 velocity 0.3 discs 200 1 0.004 discs 30 2 0.005\n"
-      "group inner type 3\ngroup outer type 4\ngroup wall type 3 4\ngroup free type 1 2\n"
-      "neigh_modify exclude group wall wall\ntimestep 4e-5\ncompute contacts all contact/disc\n" +
-      (rings_come_first ? rings + discs : discs + rings));
-  engine.run(lines + "run 1000\n");
-  return outcome(engine, "cell", 9, lines.find("fix bottom ") != std::string::npos);
+  return run(tangential,
+             "create_ring 0 0 0.04 number 40 type 3 radius 0.0025 density 6.36\n"
+             "create_ring 0 0 0.1 number 110 type 4 radius 0.0025 density 6.36\n" +
+                 discs_in_ring +
+                 "group inner type 3\ngroup outer type 4\ngroup wall type 3 4\ngroup free type 1 2\n"
+                 "neigh_modify exclude group wall wall\n" +
+                 (rings_come_first ? rings + discs : discs + rings),
+             lines, "cell", 9);
 }
 
 /// Between smooth rings, of which the wheel turns and the outer one presses.
 Outcome shear_smoothly(const std::string& tangential, const std::string& lines) {
-  Engine engine;
-  engine.run(
-      scene("model disc/linear tangential " + tangential, {}, 0.12, 4, "f f p", "0.0006") +
-      "create_discs ring 0 0 0.04 0.1 seed 7 density 6.36 velocity 0.3 discs 200 1 0.004 discs 30 2 0.005\n"
-      "timestep 4e-5\ncompute contacts all contact/disc\nfix integrate all nve/disc\n"
-      "fix cell all couette/2d center 0 0 inner smooth 3 0.04 outer smooth 4 0.1 omega_inner 20 "
-      "compact 0.077 0.024\n" +
-      lines + "run 1000\n");
-  return outcome(engine, "cell", 9, lines.find("fix bottom ") != std::string::npos);
+  return run(tangential,
+             discs_in_ring +
+                 "fix integrate all nve/disc\nfix cell all couette/2d center 0 0 inner smooth 3 0.04 outer "
+                 "smooth 4 0.1 omega_inner 20 compact 0.077 0.024\n",
+             lines, "cell", 9);
 }
 
 /// In a box whose walls press and shear, all in their own way; some discs are glued to the plane.
 Outcome press(const std::string& tangential, const std::string& lines) {
-  Engine engine;
-  engine.run(
-      scene("model disc/linear tangential " + tangential, {}, 0.12, 4, "f f p", "0.0006") +
+  return run(
+      tangential,
       "create_discs box -0.08 0.08 -0.08 0.08 seed 7 density 6.36 velocity 0.5 discs 150 1 0.004 discs 30 2 "
       "0.005\n"
-      "timestep 4e-5\ncompute contacts all contact/disc\ngroup glued id <= 20\n"
-      "velocity glued set 0 0 0\ngroup moving subtract all glued\nfix integrate moving nve/disc\n"
+      "group glued id <= 20\nvelocity glued set 0 0 0\ngroup moving subtract all glued\n"
+      "fix integrate moving nve/disc\n"
       "fix box all biaxial/2d type 3 left -0.08 strain rate 0.2 right 0.08 stress 30 mass 0.02 damping 0.5 "
-      "bottom -0.08 fixed top 0.08 strain cosine 0.06 0.03\n" +
-      lines + "run 1000\n");
-  return outcome(engine, "box", 27, lines.find("fix bottom ") != std::string::npos);
+      "bottom -0.08 fixed top 0.08 strain cosine 0.06 0.03\n",
+      lines, "box", 27);
 }
 
 void expect_same_bits(const Outcome& a, const Outcome& b) {
@@ -182,6 +182,10 @@ TEST(OpenStateOrNot, DependsOnWhoActsWithinAStep) {
   EXPECT_TRUE(packed.may_stay_open);
   engine.run(
       "fix walls all biaxial/2d type 1 left -0.09 fixed right 0.09 fixed bottom -0.09 fixed top 0.09 fixed\n"
+      "run 1\n");
+  EXPECT_TRUE(packed.may_stay_open);
+  engine.run(
+      "fix cell all couette/2d center 0.0045 -0.03 inner smooth 1 0.01 outer smooth 1 0.05 omega_inner 1\n"
       "run 1\n");
   EXPECT_TRUE(packed.may_stay_open);
 }
