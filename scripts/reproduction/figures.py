@@ -109,7 +109,7 @@ def bild5():
         kept |= {f"nu_{law}": nu, f"v0_scaled_{law}": middle, f"s_m_{law}": s}
     right.axhline(0.645, color="k", ls="--", lw=0.8)
     right.axhline(20 * 0.0127, color="0.5", ls="--", lw=0.8)
-    right.set(xlabel="$\\bar\\nu$ with half of the wall discs", ylabel="$v_0/(\\Omega R_i)$, $s$/(50 mm)", title="all densities; dashed: paper", ylim=(0, 1.5))
+    right.set(xlabel="$\\bar\\nu$ with half of the wall discs", ylabel="$v_0/(\\Omega R_i)$, $s$/(50 mm)", title="all densities; dashed: paper", ylim=(-0.05, 1.5))
     right.legend()
     sheet.save_picture(drawing, "bild5")
     sheet.save_numbers("bild5", kept, ["exponential fits of v_phi on 60 rings"])

@@ -27,7 +27,7 @@ def regimes():
         kept |= {f"nu_{law}": nu, f"wheel_pressure_Pa_{law}": pressure, f"wheel_pressure_Pa_{law}_err": error, f"v0_scaled_{law}": v0,
                  f"torque_wheel_N_m_{law}": torques[:, 0], f"torque_ring_N_m_{law}": torques[:, 1]}
     left.set(xlabel=DENSITY, ylabel=PRESSURE, yscale="log")
-    right.set(xlabel=DENSITY, ylabel="$v_0/(\\Omega R_i)$ of the exponential", ylim=(0, None))
+    right.set(xlabel=DENSITY, ylabel="$v_0/(\\Omega R_i)$ of the exponential", ylim=(-0.05, None))
     left.legend()
     sheet.save_picture(drawing, "regimes")
     sheet.save_numbers("regimes", kept, ["means over 60 s; errors of blocks of 6 s"])
