@@ -85,10 +85,12 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   void put_springs_into_engine();
   /// Whether nobody looks at the end of the present step.
   bool will_stay_open() const { return packed_.may_stay_open && !readers_.any_at_present_step(*lmp); }
-  /// Whether no disc can have left its half of the neighbour list's skin, in a step for which rows are there.
-  bool neighbours_suffice();
-  /// Whether no pair can have come so close, in such a step, that the near ones have to be found anew.
-  bool near_pairs_suffice() const { return 2 * (moved_ + packed_.furthest) <= near_gap_; }
+  /// For how many steps, this one included, for which rows are there, no disc can leave its half of the
+  /// neighbour list's skin while none gets faster than four times the fastest one now.
+  int steps_neighbours_suffice();
+  /// For how many of them no pair can have come so close, at the present speed, that the near ones have to be
+  /// found anew.
+  int steps_near_pairs_suffice() const;
 
  protected:
   /// Columns of the springs in an engine's history of contacts.

@@ -37,14 +37,30 @@ void DiscLaw::remember_places() {
   for (int i = 0; i < atom->nlocal; ++i) built_at_.push_back({packed_.discs[i].x(), packed_.discs[i].y()});
 }
 
-bool DiscLaw::neighbours_suffice() {
-  if (atom->nlocal == 0) return true;
+namespace {
+
+/// How many steps of that length [m] a way is long, up to plenty of them.
+int steps_along(double way, double step) {
+  constexpr int plenty = 1000;
+  return way < plenty * step ? std::max(0, static_cast<int>(way / step)) : plenty;
+}
+
+}  // namespace
+
+int DiscLaw::steps_neighbours_suffice() {
   const double trigger = neighbor->skin / 2 * (1 - 1e-6);  // more than any rounding
-  if (path_ + packed_.furthest < trigger) return true;
-  if (path_ >= 2 * trigger) return false;  // looked at before, and found close to the trigger
+  const auto steps_from = [&](double gone) {
+    return gone < trigger ? 1 + steps_along(trigger - gone, 4 * packed_.furthest) : 0;
+  };
+  const int steps = steps_from(path_ + packed_.furthest);
+  if (steps > 0 || path_ >= 2 * trigger) return steps;  // looked at before, and found close to the trigger
   const double now = std::sqrt(furthest_squared(packed_.discs.data(), built_at_));
   path_ = now < 0.9 * trigger ? now - packed_.furthest : 2 * trigger;
-  return now < 0.9 * trigger;
+  return steps_from(path_ + packed_.furthest);
+}
+
+int DiscLaw::steps_near_pairs_suffice() const {
+  return steps_along(near_gap_ / 2 - moved_, packed_.furthest);
 }
 
 void DiscLaw::put_disc_into_engine(int i) {
