@@ -86,7 +86,7 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   /// Whether nobody looks at the end of the present step.
   bool will_stay_open() const { return packed_.may_stay_open && !readers_.any_at_present_step(*lmp); }
   /// For how many steps, this one included, for which rows are there, no disc can leave its half of the
-  /// neighbour list's skin while none gets faster than four times the fastest one now.
+  /// neighbour list's skin while none gets faster than six times the fastest one now.
   int steps_neighbours_suffice();
   /// For how many of them no pair can have come so close, at the present speed, that the near ones have to be
   /// found anew.
@@ -175,6 +175,7 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   // Since the neighbour list was built: its pairs, the first of each disc, and for laws with a spring the
   // engine's flags and histories of contacts, and which pairs touched in the last step.
   std::vector<physics::DiscPair> pairs_;
+  bool pairs_known_ = false;
   std::vector<int> first_pair_;
   int** flags_ = nullptr;
   std::vector<double*> histories_;

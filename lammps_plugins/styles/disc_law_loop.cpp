@@ -100,6 +100,7 @@ double DiscLaw::gather(int first) {
 /// Copies the engine's neighbour list, which it has just built, into one flat list of pairs.
 template <Effects effects>
 void DiscLaw::flatten(const NeighList& list) {
+  pairs_known_ = true;
   pairs_.clear();
   histories_.clear();
   in_contact_.clear();
@@ -170,7 +171,7 @@ template <Effects effects>
 void DiscLaw::prepare(const Evaluation& evaluation) {
   const bool rows_are_there = packed_.step == update->ntimestep && neighbor->ago != 0;
   const double moved = gather<effects.tangential != Tangential::none>(rows_are_there ? atom->nlocal : 0);
-  const bool new_pairs = neighbor->ago == 0 || pairs_.empty();
+  const bool new_pairs = neighbor->ago == 0 || !pairs_known_;
   if (new_pairs) {
     flatten<effects>(evaluation.list);
     remember_places();

@@ -50,7 +50,7 @@ int steps_along(double way, double step) {
 int DiscLaw::steps_neighbours_suffice() {
   const double trigger = neighbor->skin / 2 * (1 - 1e-6);  // more than any rounding
   const auto steps_from = [&](double gone) {
-    return gone < trigger ? 1 + steps_along(trigger - gone, 4 * packed_.furthest) : 0;
+    return gone < trigger ? 1 + steps_along(trigger - gone, 6 * packed_.furthest) : 0;
   };
   const int steps = steps_from(path_ + packed_.furthest);
   if (steps > 0 || path_ >= 2 * trigger) return steps;  // looked at before, and found close to the trigger

@@ -85,8 +85,7 @@ class FixNveDisc : public FixOfEngine {
   std::vector<int> members_, others_;  // local numbers of the discs of the group, and of all others
   std::vector<int> seen_elsewhere_;    // local numbers of discs that have ghosts
   bool members_known_ = false;
-  int steps_of_trust_ = 1;  // see neighbours_suffice()
-  LAMMPS_NS::bigint next_question_ = 0;
+  LAMMPS_NS::bigint next_question_ = 0;  // the step of it; see neighbours_suffice()
   LastForces last_forces_;
   bool resumes_ = false;        // the next step is the first of a run
   bool step_complete_ = false;  // forces and velocities are those of the end of a step

@@ -82,6 +82,24 @@ Outcome press(const std::string& tangential, const std::string& lines) {
       lines, "box", 27);
 }
 
+/// Two discs that nothing is near, and that fly towards each other.
+Outcome meet(const std::string& tangential, const std::string& lines) {
+  return run(tangential,
+             disc(1, -0.011, 0, 0.004, 6.36, 1) + disc(2, 0.011, 0.002, 0.004, 6.36, 1) +
+                 motion(1, 0.5, 0, 0) + motion(2, -0.5, 0, 0) + "fix integrate all nve/disc\n",
+             lines, "", 0);
+}
+
+/// Three rings of discs at rest that overlap by a fifth of their diameter, and burst.
+Outcome burst(const std::string& tangential, const std::string& lines) {
+  return run(tangential,
+             "create_ring 0 0 0.03 number 47 type 1 radius 0.0025 density 6.36\n"
+             "create_ring 0 0 0.034 number 53 type 1 radius 0.0025 density 6.36\n"
+             "create_ring 0 0 0.038 number 59 type 1 radius 0.0025 density 6.36\n"
+             "fix integrate all nve/disc\ntimestep 1.2e-4\n",
+             lines, "", 0);
+}
+
 void expect_same_bits(const Outcome& a, const Outcome& b) {
   ASSERT_EQ(a.discs.size(), b.discs.size());
   for (const auto& [id, d] : a.discs) {
@@ -128,6 +146,19 @@ TEST_P(OpenState, IsTheStateThatIsLookedAt) {
 
 TEST_P(OpenState, IsTheStateInWhichOthersAct) {
   expect_same_bits(shear(GetParam(), ""), shear(GetParam(), act_in_each_step));
+}
+
+TEST_P(OpenState, IsTheStateOfTwoThatMeetFromAfar) {
+  const auto open = meet(GetParam(), "");
+  EXPECT_LT(open.discs.at(1).v_x, 0);
+  expect_same_bits(open, meet(GetParam(), look_at_each_step));
+}
+
+// Ranks that trust each other's answers for some steps learn in time that discs have become fast.
+TEST_P(OpenState, IsTheStateOfABurst) {
+  const auto open = burst(GetParam(), "");
+  EXPECT_GT(open.lists_built, 10);
+  expect_same_bits(open, burst(GetParam(), look_at_each_step));
 }
 
 // The file that is written on the way changes when neighbour lists are built, in both runs alike.
