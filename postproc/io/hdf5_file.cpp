@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <numeric>
+#include <thread>
 #include <type_traits>
 
 #include "io/error.h"
@@ -154,11 +156,16 @@ Hdf5File Hdf5File::create(const std::string& file, bool paged) {
 
 Hdf5File Hdf5File::open(const std::string& file) {
   silence();
-  // As one who reads what another one writes; files of others may be of a layout without that.
-  Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, newer_layout().get()), H5Fclose);
-  if (id.get() < 0) id = Hdf5Id(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  if (id.get() < 0) cannot_read(file);
-  return {std::move(id), file};
+  // As one who reads what another one writes; files of others may be of a layout without that. A writer that
+  // changes the file between what an opening reads of it makes it fail, which is tried again for a second.
+  for (int attempt = 1;; ++attempt) {
+    Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, newer_layout().get()), H5Fclose);
+    if (id.get() < 0) id = Hdf5Id(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    if (id.get() >= 0) return {std::move(id), file};
+    const bool is_written = last_reason().find("already open for write") != std::string::npos;
+    if (!is_written || attempt == 100) cannot_read(file);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
 }
 
 Hdf5File Hdf5File::open_to_append(const std::string& file, bool mend) {
