@@ -170,7 +170,7 @@ void FixNveDisc::go_on() {
 /// others waiting. A question to all ranks costs as much as some hundred discs, so that its answer is trusted
 /// for up to four steps, less than a collision takes. In these an elastic collision at most doubles the
 /// largest speed, and discs that are let go at rest, which move by 1, 3, 5, 7, 9 in equal steps, have six
-/// times the first on the average of the last four.
+/// times the first on the average of the last four. One rank alone asks itself in each.
 bool FixNveDisc::neighbours_suffice() {
   if (update->ntimestep < next_question_) return true;
   int steps[] = {law_->steps_neighbours_suffice(), law_->steps_near_pairs_suffice()};

@@ -3,14 +3,13 @@
 
 #include <dlfcn.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
-#include <functional>
 #include <random>
 
+#include "child.h"
 #include "io/snapshot_reader.h"
 #include "text_file.h"
 
@@ -187,41 +186,6 @@ bool read_until(const std::string& file, std::size_t frames) {
     return false;
   }
 }
-
-/// Another process that does `action`; it ends with this object, whatever happens to the test.
-class Child {
- public:
-  /// The exit code is what the action gives, 1 if it throws.
-  explicit Child(const std::function<int()>& action) : id_(fork()) {
-    if (id_ != 0) return;
-    int code = 1;
-    try {
-      code = action();
-    } catch (const Error& error) {
-      std::printf("%s\n", error.what());
-      std::fflush(stdout);
-    }
-    _exit(code);
-  }
-  ~Child() {
-    if (id_ <= 0) return;
-    kill(id_, SIGKILL);
-    waitpid(id_, nullptr, 0);
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  /// The code of an exit, -1 where a signal came first.
-  int exit_code() {
-    int status = 0;
-    waitpid(id_, &status, 0);
-    id_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
- private:
-  pid_t id_;
-};
 
 // A reader has the file open all the time, as a notebook might, and another one reads it again and again.
 TEST(SnapshotLog, IsReadWhileItIsWritten) {
