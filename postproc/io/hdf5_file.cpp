@@ -96,6 +96,10 @@ Hdf5Id without_times(hid_t kind) {
 
 }  // namespace
 
+void leave_hdf5_open_at_exit() {
+  H5dont_atexit();
+}
+
 Hdf5Shape Hdf5Dataset::shape() const {
   const Hdf5Id space(H5Dget_space(id_.get()), H5Sclose);
   std::array<hsize_t, H5S_MAX_RANK> lengths = {};

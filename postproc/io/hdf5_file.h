@@ -88,6 +88,10 @@ class Hdf5Dataset {
   std::string place_;
 };
 
+/// HDF5 writes what it still holds when a program ends, and crashes where the disk is full. Programs that close
+/// all their files call this first, before anything else of HDF5.
+void leave_hdf5_open_at_exit();
+
 /// Paths are absolute, groups on the way are made. HDF5's own messages never reach stderr.
 class Hdf5File {
  public:
