@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/warnings.h"
 #include "io/error.h"
 #include "io/file_list.h"
 
@@ -105,6 +106,7 @@ void describe_input(const InputOptions& options, const FrameSource& source, Prea
     lines.emplace_back("particle columns", fmt::format("{}", fmt::join(options.particle_columns, ",")));
   if (!options.contact_columns.empty())
     lines.emplace_back("contact columns", fmt::format("{}", fmt::join(options.contact_columns, ",")));
+  describe_notes(*source.notes, lines);
 }
 
 }  // namespace mikromakro

@@ -61,7 +61,7 @@ void join(RawFrame& raw, Frame& frame) {
 
 ColumnWishes FrameSource::wishes() const {
   const ColumnSet mass = density > 0 ? column_set(ParticleColumn::mass) : 0;
-  return {particle_columns, contact_columns, particles_needed & ~mass, contacts_needed};
+  return {particle_columns, contact_columns, particles_needed & ~mass, contacts_needed, notes};
 }
 
 std::vector<Run> FrameSource::runs() const {

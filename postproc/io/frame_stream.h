@@ -33,6 +33,8 @@ struct FrameSource {
   std::vector<std::string> snapshot_files = {};  ///< none: text dumps
   std::vector<Run> further_runs = {};            ///< read after the files above, which are the first run
   double density = 0;                            ///< areal (kg/m^2), > 0: for files that give no masses
+  /// What reading finds and the user must know; copies of the source share it.
+  std::shared_ptr<Notes> notes = std::make_shared<Notes>();
 
   ColumnWishes wishes() const;
   std::vector<Run> runs() const;

@@ -9,15 +9,18 @@
 #include "io/dump_reader.h"
 #include "io/file_sequence.h"
 #include "io/frame_format.h"
+#include "io/notes.h"
 
 namespace mikromakro {
 
-/// Which columns are asked for, and what the user calls those that the dumps do not name.
+/// Which columns are asked for, and what the user calls those that the dumps do not name; `notes` takes what
+/// must be told and stops nothing.
 struct ColumnWishes {
   std::vector<std::string> particle_columns;
   std::vector<std::string> contact_columns;
   ColumnSet particles_needed = 0;
   ColumnSet contacts_needed = 0;
+  std::shared_ptr<Notes> notes = std::make_shared<Notes>();
 };
 
 /// Throws: a time step that only the particles or only the contacts have, and all that read_particles and
