@@ -11,7 +11,9 @@
 #include "group.h"
 #include "io/error.h"
 #include "io/frame_stream.h"
+#include "io/nearest_name.h"
 #include "mikromakro_version.h"
+#include "options/value_checks.h"
 #include "update.h"
 
 namespace mikromakro::styles {
@@ -25,6 +27,15 @@ std::string option_name(const std::string& word) {
   std::string name = "--" + word;
   std::replace(name.begin(), name.end(), '_', '-');
   return name;
+}
+
+// An unknown word, and the option that was meant.
+std::string with_guess(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> words = {"file"};
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) words.push_back(name);
+  for (std::string& name : words) std::replace(name.begin(), name.end(), '-', '_');
+  return in_quotes_with_guess(word, std::vector<std::string_view>(words.begin(), words.end()));
 }
 
 std::vector<std::string> names_at(const std::vector<std::string>& names, LAMMPS_NS::bigint step) {
@@ -75,16 +86,21 @@ void FixAveMicromacro::parse(std::vector<std::string> words) {
   app.set_help_flag();
   app.allow_extras();
   add_average_options(app, options_);
+  check_numbers(app);
   for (std::string& word : words) {
     const std::string name = option_name(word);
     if (app.get_option_no_throw(name) != nullptr) word = name;
   }
   // The parser takes its arguments from the back.
   std::reverse(words.begin(), words.end());
-  app.parse(words);
+  constexpr std::string_view listed = "those of `mikromakro average` without dashes";
+  try {
+    app.parse(words);
+  } catch (const CLI::ParseError& error) {
+    throw Error(Error::Kind::bad_input, complaint(app, error, listed));
+  }
   if (!app.remaining().empty())
-    throw bad_input({"options"}, "unknown option", "those of `mikromakro average` without dashes",
-                    in_quotes(app.remaining().front()));
+    throw bad_input({"options"}, "unknown option", listed, with_guess(app, app.remaining().front()));
 }
 
 int FixAveMicromacro::calls_wanted() const {

@@ -247,6 +247,11 @@ void Hdf5File::link(const std::string& existing, const std::string& path) {
     cannot_write(file_);
 }
 
+void Hdf5File::copy(const Hdf5File& from, const std::string& path) {
+  if (H5Ocopy(from.id_.get(), path.c_str(), id_.get(), path.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0)
+    cannot_write(file_);
+}
+
 void Hdf5File::add_attribute(const std::string& path, const std::string& name, const Hdf5Id& space,
                              std::int64_t type, const void* value) {
   const Hdf5Id id(H5Acreate_by_name(id_.get(), path.c_str(), name.c_str(), type, space.get(), H5P_DEFAULT,

@@ -121,7 +121,8 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error, std::st
   if (error.get_name() == "ArgumentMismatch" && option != nullptr) return of_value_count(*option);
   if (!app.remaining().empty())
     return fmt::format("command line: {}", of_extra_word(app, app.remaining().front(), listed));
-  return fmt::format("command line: {}; expected {}, got {}", message, listed, "other words");
+  return fmt::format("command line: {}; expected {}, got {}", message, listed,
+                     error.get_name() == "ExcludesError" ? "both" : "none");
 }
 
 }  // namespace mikromakro
