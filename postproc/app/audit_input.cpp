@@ -1,6 +1,7 @@
 #include "app/audit_input.h"
 
 #include "app/progress.h"
+#include "app/warnings.h"
 #include "io/error.h"
 #include "io/file_list.h"
 
@@ -36,6 +37,7 @@ std::int64_t read_frames(const FrameSource& source, bool quiet,
     take(frame);
     progress.update(stream.bytes_read(), ++frames);
   }
+  tell(*source.notes);
   if (frames == 0)
     throw bad_input({source.files().front()}, "no frame is selected",
                     "frames that --frames and --steps select", "0");

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "app/progress.h"
+#include "app/warnings.h"
 #include "io/error.h"
 #include "io/file_list.h"
 
@@ -47,6 +48,8 @@ Averaged average_frames(const FrameSource& source, const SumFrame& sum, TimeAver
     averaged.add(frame.step, frame.sums, frame.run);
     progress.update(bytes, averaged.sums.frames());
   });
+  ranks.gather(*source.notes);
+  if (ranks.first()) tell(*source.notes);
   return averaged;
 }
 

@@ -18,7 +18,7 @@ struct RunOptions {
 void add_run_options(CLI::App& app, RunOptions& options);
 
 /// The sums that `sum` makes of the frames, on rank 0; the others give their part. All ranks call it
-/// together. `sums` is an empty average to fill. Throws what reading throws.
+/// together. `sums` is an empty average to fill. Rank 0 tells the notes of all. Throws what reading throws.
 Averaged average_frames(const FrameSource& source, const SumFrame& sum, TimeAverage sums,
                         const RunOptions& options, const Ranks& ranks);
 

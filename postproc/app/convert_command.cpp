@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/input_options.h"
 #include "app/progress.h"
+#include "app/warnings.h"
 #include "io/error.h"
 #include "io/file_list.h"
 #include "io/output_file.h"
@@ -32,6 +33,7 @@ void convert(const ConvertOptions& options) {
     writer.add(stream.raw(), frame.particles);
     progress.update(stream.bytes_read(), ++frames);
   }
+  tell(*source.notes);
   if (frames == 0)
     throw bad_input({"--frames"}, "no frame is selected", "frames that --frames and --steps select", "0");
   writer.close();

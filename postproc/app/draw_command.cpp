@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/input_options.h"
 #include "app/progress.h"
+#include "app/warnings.h"
 #include "drawing/picture.h"
 #include "io/error.h"
 #include "io/file_list.h"
@@ -105,6 +106,7 @@ std::int64_t add_frames(const FrameSource& source, const DrawOptions& options, P
   Frame frame;
   std::int64_t frames = 0;
   for (; stream.next(frame); ++frames) scales.add(frame, options.style);
+  tell(*source.notes);
   if (frames == 0)
     throw bad_input({"--frames"}, "no frame is selected", "frames that --frames and --steps select", "0");
   return frames;
