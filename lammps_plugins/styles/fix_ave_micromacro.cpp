@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "arguments.h"
 #include "disc_law.h"
@@ -47,6 +48,25 @@ std::vector<std::string> names_at(const std::vector<std::string>& names, LAMMPS_
   return files;
 }
 
+/// Puts the dashes in front of the options. A word that is no option has to be a value of the one before.
+void name_options(const CLI::App& app, std::vector<std::string>& words) {
+  std::set<std::string> seen;
+  int values = 0;
+  for (std::string& word : words) {
+    const std::string name = option_name(word);
+    const CLI::Option* option = app.get_option_no_throw(name);
+    if (!option && values-- <= 0)
+      throw bad_input({"options"}, "unknown option", "those of `mikromakro average` without dashes",
+                      with_guess(app, word));
+    if (!option) continue;
+    if (name != "--out" && !seen.insert(name).second)
+      throw bad_input({"options"}, "an option is given twice", word + " once", "it again");
+    values =
+        option->get_allow_extra_args() ? option->get_items_expected_max() : option->get_items_expected_min();
+    word = name;
+  }
+}
+
 bool numbered(const std::string& name) {
   return name.find('*') != std::string::npos;
 }
@@ -84,23 +104,17 @@ FixAveMicromacro::FixAveMicromacro(LAMMPS_NS::LAMMPS* engine, int narg, char** a
 void FixAveMicromacro::parse(std::vector<std::string> words) {
   CLI::App app;
   app.set_help_flag();
-  app.allow_extras();
   add_average_options(app, options_);
   check_numbers(app);
-  for (std::string& word : words) {
-    const std::string name = option_name(word);
-    if (app.get_option_no_throw(name) != nullptr) word = name;
-  }
+  name_options(app, words);
   // The parser takes its arguments from the back.
   std::reverse(words.begin(), words.end());
-  constexpr std::string_view listed = "those of `mikromakro average` without dashes";
   try {
     app.parse(words);
   } catch (const CLI::ParseError& error) {
-    throw Error(Error::Kind::bad_input, complaint(app, error, listed));
+    throw Error(Error::Kind::bad_input,
+                complaint(app, error, "those of `mikromakro average` without dashes"));
   }
-  if (!app.remaining().empty())
-    throw bad_input({"options"}, "unknown option", listed, with_guess(app, app.remaining().front()));
 }
 
 int FixAveMicromacro::calls_wanted() const {
