@@ -14,6 +14,7 @@ struct AuditOptions {
   VolumeOptions volumes;
   std::vector<int> wheel_types;
   double margin = 0;
+  double kn = std::numeric_limits<double>::quiet_NaN();
   double bound = std::numeric_limits<double>::quiet_NaN();
   bool json = false;
   bool quiet = false;
