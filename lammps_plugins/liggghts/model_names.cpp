@@ -50,13 +50,14 @@ std::vector<std::pair<std::string, std::string>> models_in(const Words& words) {
 }
 
 bool any_of_discs(const Words& words) {
-  const auto named = models_in(words);
-  return std::any_of(named.begin(), named.end(), [](const auto& model) { return names_discs(model.second); });
+  return std::any_of(words.begin(), words.end(), names_discs);
 }
 
 std::string fault_of(const Words& words) {
   if (!any_of_discs(words)) return "";
-  if (words.front() != "model") return "expected 'model disc/linear' or 'model disc/hertz' first";
+  if (words.front() != "model")
+    return "expected 'model disc/linear' or 'model disc/hertz' first, got '" + words.front() + "'" +
+           did_you_mean(words.front(), "model");
   for (const auto& [kind, name] : models_in(words)) {
     const Choice& choice = choices.at(kind);
     if (std::find(choice.names.begin(), choice.names.end(), name) == choice.names.end())
@@ -96,22 +97,23 @@ LIGGGHTS::Walls::IGranularWall* refuse_wall(LAMMPS* engine, LAMMPS_NS::FixWallGr
 
 // The tables of the engine's factories are private, and say so on the screen where an entry is replaced by
 // the function meant for it; see engine_access.cpp for the way in.
-template <class Interface>
-struct Selectors {
-  using Selector = int64_t (*)(int&, char**&, Custom_contact_models);
-  using Type = std::map<std::string, Selector> LIGGGHTS::Utils::AbstractFactory<Interface>::*;
-  friend Type member(Selectors tag);
+using Selectors = std::map<std::string, int64_t (*)(int&, char**&, Custom_contact_models)>;
+using PairFactory = LIGGGHTS::Utils::AbstractFactory<LIGGGHTS::PairStyles::IGranularPairStyle>;
+using WallFactory = LIGGGHTS::Utils::AbstractFactory<LIGGGHTS::Walls::IGranularWall>;
+struct PairSelectors {
+  using Type = Selectors PairFactory::*;
+  friend Type member(PairSelectors tag);
+};
+struct WallSelectors {
+  using Type = Selectors WallFactory::*;
+  friend Type member(WallSelectors tag);
 };
 template <class Tag, typename Tag::Type Member>
 struct Grant {
   friend typename Tag::Type member(Tag /*tag*/) { return Member; }
 };
-using PairSelectors = Selectors<LIGGGHTS::PairStyles::IGranularPairStyle>;
-using WallSelectors = Selectors<LIGGGHTS::Walls::IGranularWall>;
-template struct Grant<PairSelectors, &LIGGGHTS::Utils::AbstractFactory<
-                                         LIGGGHTS::PairStyles::IGranularPairStyle>::variantSelectorTable>;
-template struct Grant<
-    WallSelectors, &LIGGGHTS::Utils::AbstractFactory<LIGGGHTS::Walls::IGranularWall>::variantSelectorTable>;
+template struct Grant<PairSelectors, &PairFactory::variantSelectorTable>;
+template struct Grant<WallSelectors, &WallFactory::variantSelectorTable>;
 
 }  // namespace
 
