@@ -57,8 +57,15 @@ constexpr ColumnSet column_set(Columns... columns) {
 /// For each column of the file the slot (index of the quantity) that it fills, -1 for a column that nobody
 /// asks for.
 struct ColumnMap {
+  /// A column that stands in the file again: it must hold the number that is in the slot already.
+  struct Repeat {
+    std::size_t column;
+    int slot;
+  };
+
   std::vector<int> slot_of_column;
   ColumnSet given = 0;
+  std::vector<Repeat> repeats = {};
 };
 
 /// What a kind of dump may contain.
@@ -70,12 +77,12 @@ struct ColumnNames {
 const ColumnNames& particle_names();
 const ColumnNames& contact_names();
 
-/// Map from the names in the file's header; names that we do not know are skipped. Throws when one is there
-/// twice.
+/// Map from the names in the file's header; names that we do not know are skipped. One that is there twice
+/// (LIGGGHTS writes what it is told) is a repeat. Throws where there are no names.
 ColumnMap map_header(const std::vector<std::string>& header, const ColumnNames& names, const Place& place);
 
 /// Map from the user's list, '-' for a column to skip. Throws when the list has another length than the
-/// header or a name that is unknown or there twice.
+/// header (unless that names no columns: rows will be counted) or a name that is unknown or there twice.
 ColumnMap map_option(const std::vector<std::string>& list, std::size_t columns, const ColumnNames& names,
                      const Place& place);
 

@@ -7,6 +7,7 @@
 
 #include "io/column_map.h"
 #include "io/dump_reader.h"
+#include "io/further_piece.h"
 
 namespace mikromakro {
 
@@ -25,10 +26,19 @@ struct ContactRows {
   std::string file;
   std::int64_t first_line = 0;
   std::vector<std::int64_t> lines = {};
+  std::vector<FurtherPiece> pieces = {};  ///< without lines
 
   bool has(ColumnSet columns) const { return (columns & ~given) == 0; }
+  /// The rows of a further piece of the frame.
+  void append(const ContactRows& piece) {
+    pieces.push_back({rows.size(), piece.file, piece.first_line});
+    rows.insert(rows.end(), piece.rows.begin(), piece.rows.end());
+    given &= piece.given;
+  }
+
   Place place(std::size_t row) const {
-    return {file, lines.empty() ? first_line + static_cast<std::int64_t>(row) : lines[row]};
+    const std::int64_t line = lines.empty() ? first_line + static_cast<std::int64_t>(row) : lines[row];
+    return place_of_row(row, {file, line}, pieces);
   }
 };
 

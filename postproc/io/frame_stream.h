@@ -33,11 +33,17 @@ struct FrameSource {
   std::vector<std::string> snapshot_files = {};  ///< none: text dumps
   std::vector<Run> further_runs = {};            ///< read after the files above, which are the first run
   double density = 0;                            ///< areal (kg/m^2), > 0: for files that give no masses
+  bool contacts_required = false;                ///< frames without contacts are an error
+  /// Files are read once more before, so that steps that come again (after a restart) can be left out;
+  /// without it they throw Error::Kind::steps_come_again.
+  bool look_through = false;
   /// What reading finds and the user must know; copies of the source share it.
   std::shared_ptr<Notes> notes = std::make_shared<Notes>();
 
   ColumnWishes wishes() const;
   std::vector<Run> runs() const;
+  /// The selection counted from the beginning, for which frames are counted where it must be.
+  FrameSelection settled_selection() const;
   /// All files there are.
   std::vector<std::string> files() const;
 };
@@ -49,8 +55,8 @@ using MakeFrame = std::function<void(Frame&)>;
 /// all that join_contacts throws.
 void join(RawFrame& raw, Frame& frame);
 
-/// Throws: masses where a density is given, too; ids that are there twice, and all that the formats and
-/// join_contacts throw.
+/// Throws: contacts that are required and not there, masses where a density is given, too; ids that are there
+/// twice, and all that the formats and join_contacts throw.
 class FrameStream {
  public:
   explicit FrameStream(const FrameSource& source);
@@ -71,6 +77,7 @@ class FrameStream {
 
   FrameSelection selection_;
   double density_;
+  bool contacts_required_;
   bool one_run_;
   std::unique_ptr<FrameFormat> format_;
   RawFrame raw_;
