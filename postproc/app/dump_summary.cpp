@@ -11,10 +11,10 @@
 namespace mikromakro {
 namespace {
 
-void add_particles(const std::vector<Particle>& particles, ColumnSet given, DumpSummary& summary) {
+void add_particles(const ParticleRows& rows, DumpSummary& summary) {
   summary.counts_by_type.clear();
-  const bool with_types = (given & column_set(ParticleColumn::type)) != 0;
-  for (const Particle& particle : particles) {
+  const bool with_types = (rows.given & column_set(ParticleColumn::type)) != 0;
+  for (const Particle& particle : rows.particles) {
     if (with_types) ++summary.counts_by_type[particle.type];
     summary.smallest_radius = std::min(summary.smallest_radius, particle.radius);
     summary.largest_radius = std::max(summary.largest_radius, particle.radius);
@@ -58,11 +58,8 @@ DumpSummary summarise_dump(const std::string& file, const std::vector<std::strin
     if (summary.frames > 0 && header.step <= summary.last_step)
       notes.add(file + ": steps come again", header.step);
     add_frame(*rows, summary);
-    ColumnSet given = 0;
-    if (has_discs(header, particle_columns, file)) {
-      const auto particles = read_particles(*rows, particle_columns, 0, given);
-      add_particles(particles, given, summary);
-    }
+    if (has_discs(header, particle_columns, file))
+      add_particles(read_particles(*rows, particle_columns, 0), summary);
   }
   if (dump.cut()) notes.add(file + ": the compressed file is cut: only its complete frames count");
   if (summary.last.units.empty()) return summary;

@@ -9,6 +9,7 @@
 #include "io/column_map.h"
 #include "io/contact_reader.h"
 #include "io/frame.h"
+#include "io/units.h"
 
 namespace mikromakro {
 
@@ -31,7 +32,9 @@ struct RawFrame {
   std::vector<FurtherPiece> further_pieces = {};
   bool with_contacts = false;
   ContactRows contacts;
-  double time = not_given;  ///< s
+  double place_error = not_given;  ///< what coordinates of discs have lost (m); nan: as their digits say
+  double time = not_given;         ///< s
+  Units units = {};                ///< in which all of it stands until it is joined
   std::vector<WallState> walls;
 
   Place place_of_particle(std::size_t i) const {

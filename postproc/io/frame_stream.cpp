@@ -4,7 +4,6 @@
 
 #include <numbers>
 
-#include "io/contact_geometry.h"
 #include "io/id_map.h"
 #include "io/mercury_frames.h"
 #include "io/run_sequence.h"
@@ -27,8 +26,9 @@ void set_masses(RawFrame& raw, double density) {
   if ((raw.particles_given & mass) != 0)
     throw bad_input({raw.particle_file, raw.first_particle_line - 1}, "the file gives masses",
                     "no --density beside them", "both");
+  const double in_units = density * raw.units.length * raw.units.length / raw.units.mass;
   for (Particle& particle : raw.particles)
-    particle.mass = density * std::numbers::pi * particle.radius * particle.radius;
+    particle.mass = in_units * std::numbers::pi * particle.radius * particle.radius;
   raw.particles_given |= mass;
 }
 
@@ -41,9 +41,13 @@ void complete(RawFrame& raw, double density, bool contacts_required) {
 
 std::unique_ptr<FrameFormat> open_run(const Run& run, const ColumnWishes& wishes) {
   if (!run.snapshot_files.empty()) return std::make_unique<SnapshotReader>(run.snapshot_files, wishes);
-  if (MercuryDataReader::recognises(run.particle_files.front()))
+  if (MercuryDataReader::recognises(run.particle_files.front())) {
+    if (!run.wall_files.empty())
+      throw bad_input({run.particle_files.front()}, "MercuryDPM's .fstat holds the walls",
+                      "no --wall-contacts beside it", "them");
     return std::make_unique<MercuryFrames>(run.particle_files, run.contact_files, wishes);
-  return std::make_unique<TextFrames>(run.particle_files, run.contact_files, wishes);
+  }
+  return std::make_unique<TextFrames>(run.particle_files, run.contact_files, wishes, run.wall_files);
 }
 
 std::unique_ptr<FrameFormat> format_of(const FrameSource& source) {
@@ -55,26 +59,29 @@ std::unique_ptr<FrameFormat> format_of(const FrameSource& source) {
 
 }  // namespace
 
-void join(RawFrame& raw, Frame& frame) {
+void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   const IdMap ids(raw.particles);
   check_ids(ids, raw);
   frame.step = raw.step;
   frame.box = raw.box;
   frame.contacts_known = raw.with_contacts;
   frame.contacts.clear();
-  if (raw.with_contacts) frame.contacts = join_contacts(raw.contacts, raw.particles, ids, frame.box);
+  rules.step = raw.step;
+  if (raw.with_contacts)
+    frame.contacts = join_contacts(raw.contacts, {raw.particles, ids, raw.box, raw.place_error}, rules);
   // The rows are read anew for the next frame.
   frame.particles.swap(raw.particles);
+  convert(raw.units, raw, frame);
 }
 
 ColumnWishes FrameSource::wishes() const {
   const ColumnSet mass = density > 0 ? column_set(ParticleColumn::mass) : 0;
-  return {particle_columns, contact_columns, particles_needed & ~mass, contacts_needed, notes,
-          selection,        look_through};
+  return {particle_columns, contact_columns, particles_needed & ~mass, contacts_needed, notes, selection,
+          look_through,     wall_columns};
 }
 
 std::vector<Run> FrameSource::runs() const {
-  std::vector<Run> all = {{particle_files, contact_files, snapshot_files}};
+  std::vector<Run> all = {{particle_files, contact_files, snapshot_files, wall_files}};
   all.insert(all.end(), further_runs.begin(), further_runs.end());
   return all;
 }
@@ -82,7 +89,7 @@ std::vector<Run> FrameSource::runs() const {
 std::vector<std::string> FrameSource::files() const {
   std::vector<std::string> all;
   for (const Run& run : runs())
-    for (const auto* files : {&run.snapshot_files, &run.particle_files, &run.contact_files})
+    for (const auto* files : {&run.snapshot_files, &run.particle_files, &run.contact_files, &run.wall_files})
       all.insert(all.end(), files->begin(), files->end());
   return all;
 }
@@ -101,6 +108,8 @@ FrameStream::FrameStream(const FrameSource& source)
     : selection_(source.settled_selection()),
       density_(source.density),
       contacts_required_(source.contacts_required),
+      distant_contacts_(source.distant_contacts),
+      notes_(source.notes),
       one_run_(source.further_runs.empty()),
       format_(format_of(source)) {}
 
@@ -121,9 +130,11 @@ bool FrameStream::next(Frame& frame) {
   const UnpackFrame unpack = take_raw();
   if (!unpack) return false;
   raw_.further_pieces.clear();
+  raw_.place_error = not_given;
+  raw_.units = {};
   unpack(raw_);
   complete(raw_, density_, contacts_required_);
-  join(raw_, frame);
+  join(raw_, frame, {distant_contacts_, notes_.get()});
   frame.index = index_;
   frame.run = format_->run();
   return true;
@@ -133,11 +144,11 @@ MakeFrame FrameStream::take() {
   UnpackFrame unpack = take_raw();
   if (!unpack) return {};
   return [unpack = std::move(unpack), density = density_, required = contacts_required_, index = index_,
-          run = format_->run()](Frame& frame) {
+          run = format_->run(), distant = distant_contacts_, notes = notes_](Frame& frame) {
     RawFrame raw;
     unpack(raw);
     complete(raw, density, required);
-    join(raw, frame);
+    join(raw, frame, {distant, notes.get()});
     frame.index = index;
     frame.run = run;
   };

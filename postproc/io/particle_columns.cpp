@@ -78,13 +78,34 @@ double ParticleColumns::along(const Axis& axis, double number, const Place& plac
   return number;
 }
 
-void ParticleColumns::convert(ParticleSlots& row, const Place& place) const {
+void ParticleColumns::convert(ParticleSlots& row, const Place& place) {
   constexpr auto x = static_cast<std::size_t>(ParticleColumn::x);
   constexpr auto y = static_cast<std::size_t>(ParticleColumn::y);
+  axes_[0].sample(row[x]);
+  axes_[1].sample(row[y]);
   row[x] = along(axes_[0], row[x], place);
   row[y] = along(axes_[1], row[y], place);
   if (axes_[2].scaled) row[particle_z] *= axes_[2].length;
-  if (diameter_) row[static_cast<std::size_t>(ParticleColumn::radius)] *= 0.5;
+  if (!diameter_) return;
+  double& radius = row[static_cast<std::size_t>(ParticleColumn::radius)];
+  diameter_digits_.add(radius);
+  largest_diameter_ = std::max(largest_diameter_, radius);
+  radius *= 0.5;
+}
+
+// Scaled places move with the bounds of the box, which have digits of their own.
+double ParticleColumns::Axis::error() const {
+  if (!scaled) return digits.rounding(largest);
+  PrintedDigits bounds;
+  bounds.add(low);
+  bounds.add(low + length);
+  return digits.rounding(largest) * length + bounds.rounding(std::max(std::abs(low), std::abs(low + length)));
+}
+
+double ParticleColumns::place_error() const {
+  if (as_they_are_) return not_given;
+  const double places = std::max(axes_[0].error(), axes_[1].error());
+  return places + (diameter_ ? 0.5 * diameter_digits_.rounding(largest_diameter_) : 0);
 }
 
 }  // namespace mikromakro

@@ -1,12 +1,15 @@
 // Particle columns by all the names that dumps give them.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "io/column_map.h"
 #include "io/dump_reader.h"
+#include "io/printed_digits.h"
 
 namespace mikromakro {
 
@@ -28,9 +31,13 @@ class ParticleColumns {
 
   /// Numbers of a row as they stand there into x, y, z and radius. Throws where an unwrapped coordinate lies
   /// outside a box that does not say whether it is periodic.
-  void settle(ParticleSlots& row, const Place& place) const {
+  void settle(ParticleSlots& row, const Place& place) {
     if (!as_they_are_) convert(row, place);
   }
+
+  /// What the digits of the file leave open of the places that were settled, and of radii that were diameters
+  /// (units of the file); nan where all stand as they are: then their own digits say it.
+  double place_error() const;
 
  private:
   struct Axis {
@@ -39,13 +46,23 @@ class ParticleColumns {
     bool wraps = false;  ///< the box is periodic here
     double low = 0;
     double length = 1;
+    PrintedDigits digits = {};  ///< of the numbers as they stand
+    double largest = 0;         ///< of these
+
+    void sample(double number) {
+      digits.add(number);
+      largest = std::max(largest, std::abs(number));
+    }
+    double error() const;
   };
   void choose(std::vector<std::string>& names);
-  void convert(ParticleSlots& row, const Place& place) const;
+  void convert(ParticleSlots& row, const Place& place);
   double along(const Axis& axis, double number, const Place& place) const;
 
   ColumnMap map_;
   std::array<Axis, 3> axes_;
+  PrintedDigits diameter_digits_;
+  double largest_diameter_ = 0;
   bool boundaries_known_ = true;
   bool diameter_ = false;
   bool with_z_ = false;

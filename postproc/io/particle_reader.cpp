@@ -54,19 +54,18 @@ void PlaneCheck::add(double z, double radius, const Place& place) {
                     fmt::format("{}", z));
 }
 
-std::vector<Particle> read_particles(const RowBlock& block, const std::vector<std::string>& list,
-                                     ColumnSet needed, ColumnSet& given) {
+ParticleRows read_particles(const RowBlock& block, const std::vector<std::string>& list, ColumnSet needed) {
   const DumpHeader& header = block.header;
   Place place{block.file, header.line};
   if (!header.of_particles())
     throw bad_input(place, "not a dump of particles", "'ITEM: ATOMS'", in_quotes("ITEM: " + header.label));
-  const ParticleColumns columns(header, list, place);
+  ParticleColumns columns(header, list, place);
   require_columns(columns.map(), needed | particle_base_columns, particle_names(), place);
 
-  std::vector<Particle> particles;
-  particles.reserve(static_cast<std::size_t>(header.rows));
-  given = columns.map().given;
-  const bool with_ids = (given & column_set(ParticleColumn::id)) != 0;
+  ParticleRows rows;
+  rows.particles.reserve(static_cast<std::size_t>(header.rows));
+  rows.given = columns.map().given;
+  const bool with_ids = (rows.given & column_set(ParticleColumn::id)) != 0;
   PlaneCheck plane;
   ParticleSlots slots;
   slots.fill(not_given);
@@ -74,11 +73,12 @@ std::vector<Particle> read_particles(const RowBlock& block, const std::vector<st
     ++place.line;
     parse_row(next_line(rest), columns.map(), slots, place);
     columns.settle(slots, place);
-    particles.push_back(particle_of(slots, given, place));
-    if (!with_ids) particles.back().id = std::ssize(particles);
-    if (columns.with_z()) plane.add(slots[particle_z], particles.back().radius, place);
+    rows.particles.push_back(particle_of(slots, rows.given, place));
+    if (!with_ids) rows.particles.back().id = std::ssize(rows.particles);
+    if (columns.with_z()) plane.add(slots[particle_z], rows.particles.back().radius, place);
   }
-  return particles;
+  rows.place_error = columns.place_error();
+  return rows;
 }
 
 }  // namespace mikromakro

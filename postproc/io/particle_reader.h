@@ -29,11 +29,17 @@ class PlaneCheck {
   double plane_ = not_given;
 };
 
+/// Of one frame, or a piece of it.
+struct ParticleRows {
+  std::vector<Particle> particles;
+  ColumnSet given = 0;             ///< the columns that are there
+  double place_error = not_given;  ///< see ParticleColumns
+};
+
 /// Turns the rows of a frame into particles (units as in the file).
 /// `list` are the names of --particle-columns (empty: the header's own); `needed` must be among them.
 /// Without a column of ids they are the numbers of the rows, from 1. Throws: missing columns, and all that
-/// ParticleColumns, particle_of and PlaneCheck throw. `given` becomes the columns that are there.
-std::vector<Particle> read_particles(const RowBlock& block, const std::vector<std::string>& list,
-                                     ColumnSet needed, ColumnSet& given);
+/// ParticleColumns, particle_of and PlaneCheck throw.
+ParticleRows read_particles(const RowBlock& block, const std::vector<std::string>& list, ColumnSet needed);
 
 }  // namespace mikromakro

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "io/contact_presets.h"
 #include "io/contact_reader.h"
 #include "io/particle_reader.h"
 
@@ -11,36 +14,52 @@ namespace {
 using Blocks = std::vector<std::shared_ptr<const RowBlock>>;
 
 void unpack_particles(const Blocks& pieces, const ColumnWishes& wishes, ColumnSet needed, RawFrame& frame) {
+  frame.particles.clear();
   for (const auto& piece : pieces) {
-    ColumnSet given = 0;
-    std::vector<Particle> particles = read_particles(*piece, wishes.particle_columns, needed, given);
+    ParticleRows rows = read_particles(*piece, wishes.particle_columns, needed);
     if (piece == pieces.front()) {
-      frame.particles = std::move(particles);
-      frame.particles_given = given;
+      frame.particles = std::move(rows.particles);
+      frame.particles_given = rows.given;
+      frame.place_error = rows.place_error;
       continue;
     }
     frame.further_pieces.push_back({frame.particles.size(), piece->file, piece->header.line + 1});
-    frame.particles.insert(frame.particles.end(), particles.begin(), particles.end());
-    frame.particles_given &= given;
+    frame.particles.insert(frame.particles.end(), rows.particles.begin(), rows.particles.end());
+    frame.particles_given &= rows.given;
+    frame.place_error = std::fmax(frame.place_error, rows.place_error);
   }
 }
 
-void unpack_contacts(const Blocks& pieces, const ColumnWishes& wishes, ContactRows& contacts) {
+ContactRows contacts_of(const Blocks& pieces, const ContactFormat& format, ColumnSet needed) {
+  ContactRows contacts;
   for (const auto& piece : pieces) {
-    ContactRows rows = read_contacts(*piece, wishes.contact_columns, wishes.contacts_needed);
+    ContactRows rows = read_contacts(*piece, format, needed);
     piece == pieces.front() ? void(contacts = std::move(rows)) : contacts.append(rows);
   }
+  return contacts;
+}
+
+void note_missing_forces(const Blocks& contacts, const ColumnWishes& wishes) {
+  if (contacts.empty() || !is_without_tangential_forces(wishes.contact_columns, contacts.front()->header))
+    return;
+  wishes.notes->add(
+      fmt::format("{}: compute pair/local gives normal forces only (its p1 p2 p3 are the "
+                  "tangential ones of granular styles)",
+                  contacts.front()->file));
 }
 
 }  // namespace
 
 TextFrames::TextFrames(const std::vector<std::string>& particle_files,
-                       const std::vector<std::string>& contact_files, ColumnWishes wishes)
+                       const std::vector<std::string>& contact_files, ColumnWishes wishes,
+                       const std::vector<std::string>& wall_files)
     : wishes_(std::make_shared<const ColumnWishes>(std::move(wishes))),
       frames_({wishes_->selection, wishes_->look_through, wishes_->notes}) {
   frames_.add<DumpReader>(particle_files);
   particle_pieces_ = frames_.size();
   if (!contact_files.empty()) frames_.add<DumpReader>(contact_files);
+  contact_pieces_ = frames_.size() - particle_pieces_;
+  if (!wall_files.empty()) frames_.add<DumpReader>(wall_files);
 }
 
 bool TextFrames::next(std::int64_t& step) {
@@ -68,27 +87,52 @@ void TextFrames::find_units() {
   }
 }
 
+// The rows of a frame as they lie in the files.
+struct TextFrames::Packed {
+  std::shared_ptr<const ColumnWishes> wishes;
+  Units units;
+  Blocks particles, contacts, walls;
+
+  void unpack(RawFrame& frame) const {
+    const RowBlock& first = *particles.front();
+    frame.step = first.header.step;
+    frame.time = first.header.time;
+    frame.box = first.header.box;
+    frame.units = units;
+    frame.particle_file = first.file;
+    frame.first_particle_line = first.header.line + 1;
+    frame.with_contacts = !contacts.empty() || !walls.empty();
+    // Without ids pieces that are the same file twice would not be seen.
+    const bool ids = frame.with_contacts || particles.size() > 1;
+    unpack_particles(particles, *wishes,
+                     wishes->particles_needed | (ids ? column_set(ParticleColumn::id) : 0), frame);
+    if (frame.with_contacts) unpack_contacts(frame);
+  }
+
+  void unpack_contacts(RawFrame& frame) const {
+    if (!contacts.empty())
+      frame.contacts = contacts_of(contacts, {wishes->contact_columns}, wishes->contacts_needed);
+    if (!walls.empty()) {
+      ContactRows rows = contacts_of(walls, {wishes->wall_columns, true}, wishes->contacts_needed);
+      contacts.empty() ? void(frame.contacts = std::move(rows))
+                       : add_wall_contacts(std::move(rows), frame.contacts);
+    }
+    note_missing_forces(contacts, *wishes);
+  }
+};
+
 UnpackFrame TextFrames::take() {
   const Blocks blocks = frames_.take_rows();
   if (blocks.empty()) return {};
   some_taken_ = true;
   const auto first_contacts = blocks.begin() + static_cast<std::ptrdiff_t>(particle_pieces_);
-  // Pieces that are the same file twice are only seen by their ids.
-  const ColumnSet ids = blocks.size() > 1 ? column_set(ParticleColumn::id) : 0;
-  return [wishes = wishes_, units = units_, needed = wishes_->particles_needed | ids,
-          particles = Blocks(blocks.begin(), first_contacts),
-          contacts = Blocks(first_contacts, blocks.end())](RawFrame& frame) {
-    const RowBlock& first = *particles.front();
-    frame.step = first.header.step;
-    frame.time = first.header.time;
-    frame.box = first.header.box;
-    frame.particle_file = first.file;
-    frame.first_particle_line = first.header.line + 1;
-    unpack_particles(particles, *wishes, needed, frame);
-    frame.with_contacts = !contacts.empty();
-    if (frame.with_contacts) unpack_contacts(contacts, *wishes, frame.contacts);
-    convert(units, frame);
-  };
+  const auto first_walls = first_contacts + static_cast<std::ptrdiff_t>(contact_pieces_);
+  const Packed packed{wishes_,
+                      units_,
+                      {blocks.begin(), first_contacts},
+                      {first_contacts, first_walls},
+                      {first_walls, blocks.end()}};
+  return [packed](RawFrame& frame) { packed.unpack(frame); };
 }
 
 }  // namespace mikromakro

@@ -23,6 +23,7 @@ struct ColumnWishes {
   std::shared_ptr<Notes> notes = std::make_shared<Notes>();
   FrameSelection selection = {};  ///< to say nothing about other steps
   bool look_through = false;      ///< whether files are looked through for steps that come again
+  std::vector<std::string> wall_columns = {};
 };
 
 /// Frames that only the particles or only the contacts have, and steps of which a piece is missing, are left
@@ -30,20 +31,22 @@ struct ColumnWishes {
 /// that contradict each other, and all that units_of, read_particles and read_contacts throw.
 class TextFrames : public FrameFormat {
  public:
-  /// No contact files: frames without contacts.
+  /// Neither contact nor wall files: frames without contacts.
   TextFrames(const std::vector<std::string>& particle_files, const std::vector<std::string>& contact_files,
-             ColumnWishes wishes);
+             ColumnWishes wishes, const std::vector<std::string>& wall_files = {});
 
   bool next(std::int64_t& step) override;
   UnpackFrame take() override;
   std::int64_t bytes_read() const override { return frames_.bytes_read(); }
 
  private:
+  struct Packed;
   void find_units();
 
   std::shared_ptr<const ColumnWishes> wishes_;
   MatchedFrames<DumpHeader, RowBlock> frames_;
   std::size_t particle_pieces_ = 0;
+  std::size_t contact_pieces_ = 0;
   std::string units_name_;  ///< empty: no dump has named them so far
   Units units_;
   bool some_taken_ = false;

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <iterator>
+
+#include "io/frame_format.h"
 
 namespace mikromakro {
 namespace {
@@ -20,9 +23,9 @@ constexpr Dimension velocity{1, 0, -1};
 constexpr Dimension force{1, 1, -2};
 
 // By ContactColumn.
-constexpr Dimension contact_dimensions[] = {number, number, length,   length,   length, length,
-                                            number, number, length,   force,    force,  force,
-                                            force,  length, velocity, velocity, number};
+constexpr Dimension contact_dimensions[] = {number,   number,   length, length, length, length, number,
+                                            number,   length,   force,  force,  force,  force,  length,
+                                            velocity, velocity, number, length, length, length};
 static_assert(std::size(contact_dimensions) == static_cast<std::size_t>(ContactColumn::count));
 
 double power(double unit, int exponent) {
@@ -41,6 +44,12 @@ void convert(const Units& units, Particle& particle) {
   particle.velocity *= factor(units, velocity);
   particle.spin /= units.time;
   particle.mass *= units.mass;
+}
+
+void convert(const Units& units, Contact& contact) {
+  contact.overlap *= units.length;
+  contact.spring *= units.length;
+  contact.force *= factor(units, force);
 }
 
 struct System {
@@ -77,15 +86,17 @@ void convert(const Units& units, Box& box) {
   box.high *= units.length;
 }
 
-void convert(const Units& units, RawFrame& frame) {
+void convert(const Units& units, RawFrame& raw, Frame& frame) {
   if (units.are_si()) return;
+  convert(units, raw.box);
   convert(units, frame.box);
-  frame.time *= units.time;
+  raw.time *= units.time;
   for (Particle& particle : frame.particles) convert(units, particle);
+  for (Contact& contact : frame.contacts) convert(units, contact);
   std::array<double, std::size(contact_dimensions)> factors{};
   std::transform(std::begin(contact_dimensions), std::end(contact_dimensions), factors.begin(),
                  [&](const Dimension& dimension) { return factor(units, dimension); });
-  for (ContactRow& row : frame.contacts.rows)
+  for (ContactRow& row : raw.contacts.rows)
     for (std::size_t column = 0; column < factors.size(); ++column) row.value[column] *= factors[column];
 }
 

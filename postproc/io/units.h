@@ -5,9 +5,11 @@
 #include <string_view>
 
 #include "io/error.h"
-#include "io/frame_format.h"
+#include "io/frame.h"
 
 namespace mikromakro {
+
+struct RawFrame;
 
 /// What one unit of the file is in SI. Units of everything else follow from these three.
 struct Units {
@@ -24,8 +26,11 @@ Units units_of(std::string_view name, const Place& place);
 /// What the reader of the numbers must know of them; empty for si.
 std::string units_note(std::string_view name);
 
-/// All lengths, velocities, masses, forces of the frame into SI.
-void convert(const Units& units, RawFrame& frame);
+/// Bounds of a box into SI.
 void convert(const Units& units, Box& box);
+
+/// All lengths, velocities, masses, forces of a frame whose contacts are joined, and of the rows they were
+/// made of, into SI: not before, since how exact numbers are is seen from the digits of the file.
+void convert(const Units& units, RawFrame& raw, Frame& frame);
 
 }  // namespace mikromakro

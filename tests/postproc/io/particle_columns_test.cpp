@@ -20,8 +20,7 @@ Particle read(const std::string& columns, const std::string& row, bool boundarie
     block.header.columns.push_back(columns.substr(at, end - at));
   }
   block.text = row + "\n";
-  ColumnSet given = 0;
-  return read_particles(block, {}, 0, given).front();
+  return read_particles(block, {}, 0).particles.front();
 }
 
 TEST(ParticleColumns, SpellingsOfOnePlaceAgree) {

@@ -2,18 +2,27 @@
 
 #include <gtest/gtest.h>
 
+#include "io/frame_format.h"
+
 namespace mikromakro {
 namespace {
 
 // One of everything, so that each number becomes its unit.
-RawFrame ones() {
-  RawFrame frame;
-  frame.box.high = {1, 1};
-  frame.particles = {{1, 1, {1, 1}, 1, {1, 1}, 1, 1}};
-  frame.contacts.rows.resize(1);
-  frame.contacts.rows[0].value.fill(1);
-  frame.time = 1;
-  return frame;
+struct Ones {
+  RawFrame raw;
+  Frame frame;
+};
+
+Ones ones() {
+  Ones ones;
+  ones.raw.box.high = {1, 1};
+  ones.raw.contacts.rows.resize(1);
+  ones.raw.contacts.rows[0].value.fill(1);
+  ones.raw.time = 1;
+  ones.frame.box.high = {1, 1};
+  ones.frame.particles = {{1, 1, {1, 1}, 1, {1, 1}, 1, 1}};
+  ones.frame.contacts = {{1, 2, 0, 1, {1, 0}, 1, {1, 1}, 1}};
+  return ones;
 }
 
 struct Expected {
@@ -25,8 +34,8 @@ class UnitSystems : public testing::TestWithParam<Expected> {};
 
 TEST_P(UnitSystems, ConvertEveryQuantity) {
   const Expected& expected = GetParam();
-  RawFrame frame = ones();
-  convert(units_of(expected.name, {"p"}), frame);
+  auto [raw, frame] = ones();
+  convert(units_of(expected.name, {"p"}), raw, frame);
   const Particle& disc = frame.particles[0];
   EXPECT_DOUBLE_EQ(frame.box.high[0], expected.length);
   EXPECT_DOUBLE_EQ(disc.position[1], expected.length);
@@ -34,11 +43,17 @@ TEST_P(UnitSystems, ConvertEveryQuantity) {
   EXPECT_DOUBLE_EQ(disc.velocity[0], expected.velocity);
   EXPECT_DOUBLE_EQ(disc.spin, expected.spin);
   EXPECT_DOUBLE_EQ(disc.mass, expected.mass);
-  EXPECT_DOUBLE_EQ(frame.time, expected.time);
-  const ContactRow& row = frame.contacts.rows[0];
+  EXPECT_DOUBLE_EQ(raw.time, expected.time);
+  EXPECT_DOUBLE_EQ(raw.box.high[1], expected.length);
+  const Contact& contact = frame.contacts[0];
+  EXPECT_EQ(contact.normal, Eigen::Vector2d(1, 0));
+  EXPECT_DOUBLE_EQ(contact.overlap, expected.length);
+  EXPECT_DOUBLE_EQ(contact.spring, expected.length);
+  EXPECT_DOUBLE_EQ(contact.force[1], expected.force);
+  const ContactRow& row = raw.contacts.rows[0];
   using enum ContactColumn;
   for (const ContactColumn column : {id1, id2, nx, ny, periodic}) EXPECT_EQ(row[column], 1);
-  for (const ContactColumn column : {x1, y1, x2, y2, overlap, xi})
+  for (const ContactColumn column : {x1, y1, x2, y2, overlap, xi, dist, shearx, sheary})
     EXPECT_DOUBLE_EQ(row[column], expected.length);
   for (const ContactColumn column : {fx, fy, fn, ft}) EXPECT_DOUBLE_EQ(row[column], expected.force);
   for (const ContactColumn column : {vn, vt}) EXPECT_DOUBLE_EQ(row[column], expected.velocity);
