@@ -6,11 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 #include "error.h"
+#include "io/nearest_name.h"
 #include "lammps.h"
 
 namespace mikromakro::styles {
@@ -28,21 +27,6 @@ std::string quoted(const std::string& text) {
   return std::string("'").append(text).append("'");
 }
 
-/// Letters to be changed, added or left out to turn one word into the other.
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({change, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
 bool in_word(char letter) {
   return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' || letter == '/';
 }
@@ -50,16 +34,14 @@ bool in_word(char letter) {
 }  // namespace
 
 std::string did_you_mean(const std::string& word, const std::string& names) {
-  std::string nearest;
-  std::size_t least = 1 + std::min<std::size_t>(2, word.size() / 2);
+  std::vector<std::string_view> known;
   for (auto begin = names.begin(); begin != names.end();) {
     const auto end = std::find_if_not(begin, names.end(), in_word);
-    const std::string name(begin, end);
-    const std::size_t far = distance(word, name);
-    if (name.size() > 2 && far < least) least = far, nearest = name;
+    if (end - begin > 2) known.emplace_back(begin, end);
     begin = std::find_if(end, names.end(), in_word);
   }
-  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+  const std::string_view nearest = nearest_name(word, known);
+  return nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?";
 }
 
 void stop(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std::string& what) {
