@@ -11,6 +11,7 @@
 #include "arguments.h"
 #include "atom.h"
 #include "comm.h"
+#include "disc_check.h"
 #include "domain.h"
 #include "effects_line.h"
 #include "engine_access.h"
@@ -21,6 +22,7 @@
 #include "neighbor.h"
 #include "output.h"
 #include "time_step_check.h"
+#include "unseen_forces.h"
 #include "update.h"
 
 namespace mikromakro::styles {
@@ -70,7 +72,7 @@ void DiscLaw::forget_settings(Normal normal, Tangential tangential) {
 }
 
 bool DiscLaw::take_switch(Arguments& arguments, const char* key, bool& value) const {
-  if (!arguments.take(key)) return false;
+  if (!arguments.take_once(key)) return false;
   const std::string word = arguments.more() ? arguments.word(key) : "nothing";
   if (word != "on" && word != "off") fail("'" + std::string(key) + "': expected on or off, got " + word);
   value = word == "on";
@@ -83,7 +85,7 @@ bool DiscLaw::take_setting(Arguments& arguments) {
       take_switch(arguments, "limitForce", effects_.no_attraction)) {
     return true;
   }
-  if (effects_.normal != Normal::hertz || !arguments.take("impact_velocity")) return false;
+  if (effects_.normal != Normal::hertz || !arguments.take_once("impact_velocity")) return false;
   impact_velocity_ = arguments.positive("impact_velocity");
   return true;
 }
@@ -134,8 +136,10 @@ void DiscLaw::begin_run(std::vector<physics::ContactParameters> parameters) {
 /// Once in each run, at its set-up; the engine also initialises when it writes a restart file.
 void DiscLaw::start_run(const NeighList& list) {
   run_started_ = true;
+  check_discs(*lmp, style());
   check_time_step(*lmp, list, style(), {effects_, parameters_, impact_velocity_});
   tell(*lmp, effects_line(effects_, *modify, predicted_));
+  warn_of_unseen_forces(*lmp);
 }
 
 const physics::ContactParameters& DiscLaw::parameters(int type_1, int type_2) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "arguments.h"
 #include "disc_law.h"
@@ -34,6 +35,35 @@ std::vector<std::string> names_at(const std::vector<std::string>& names, LAMMPS_
     if (star != std::string::npos) file.replace(star, 1, std::to_string(step));
   }
   return files;
+}
+
+std::string names_of(const CLI::App& app) {
+  std::string names = "file";
+  for (const CLI::Option* option : app.get_options()) {
+    std::string name = option->get_single_name();
+    std::replace(name.begin(), name.end(), '-', '_');
+    names += " " + name;
+  }
+  return names;
+}
+
+/// Puts the dashes in front of the options. A word that is no option has to be a value of the one before.
+void name_options(const CLI::App& app, std::vector<std::string>& words) {
+  std::set<std::string> seen;
+  int values = 0;
+  for (std::string& word : words) {
+    const std::string name = option_name(word);
+    const CLI::Option* option = app.get_option_no_throw(name);
+    if (!option && values-- <= 0)
+      throw bad_input({"options"}, "unknown option", "those of `mikromakro average` without dashes",
+                      in_quotes(word) + did_you_mean(word, names_of(app)));
+    if (!option) continue;
+    if (name != "--out" && !seen.insert(name).second)
+      throw bad_input({"options"}, "an option is given twice", word + " once", "it again");
+    values =
+        option->get_allow_extra_args() ? option->get_items_expected_max() : option->get_items_expected_min();
+    word = name;
+  }
 }
 
 bool numbered(const std::string& name) {
@@ -73,18 +103,11 @@ FixAveMicromacro::FixAveMicromacro(LAMMPS_NS::LAMMPS* engine, int narg, char** a
 void FixAveMicromacro::parse(std::vector<std::string> words) {
   CLI::App app;
   app.set_help_flag();
-  app.allow_extras();
   add_average_options(app, options_);
-  for (std::string& word : words) {
-    const std::string name = option_name(word);
-    if (app.get_option_no_throw(name) != nullptr) word = name;
-  }
+  name_options(app, words);
   // The parser takes its arguments from the back.
   std::reverse(words.begin(), words.end());
   app.parse(words);
-  if (!app.remaining().empty())
-    throw bad_input({"options"}, "unknown option", "those of `mikromakro average` without dashes",
-                    in_quotes(app.remaining().front()));
 }
 
 int FixAveMicromacro::calls_wanted() const {

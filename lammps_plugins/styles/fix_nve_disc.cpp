@@ -6,6 +6,7 @@
 
 #include <mpi.h>
 
+#include "arguments.h"
 #include "atom.h"
 #include "comm.h"
 #include "disc_law.h"
@@ -26,14 +27,13 @@ FixNveDisc::FixNveDisc(LAMMPS* engine, int narg, char** arg)
   time_integrate = 1;
   restart_global = restart_peratom = 1;
   has_values_of_atoms(size_of_half_step + LastForces::values);
-  for (int k = 3; k < narg; k += 2) {
-    const std::string key = arg[k], value = k + 1 < narg ? arg[k + 1] : "nothing";
-    if (key != "velocity" || (value != "predicted" && value != "half_step")) {
-      error->all(FLERR, ("fix nve/disc: expected 'velocity predicted' or 'velocity half_step', got '" + key +
-                         " " + value + "'")
-                            .c_str());
-    }
-    predicted_ = value == "predicted";
+  Arguments arguments(*lmp, "fix nve/disc", narg, arg, 3);
+  while (arguments.more()) {
+    if (!arguments.take_once("velocity"))
+      arguments.unexpected("'velocity predicted' or 'velocity half_step'");
+    predicted_ = arguments.take("predicted");
+    if (!predicted_ && !arguments.take("half_step"))
+      arguments.unexpected("'predicted' or 'half_step' after 'velocity'");
   }
   if (!stores_discs(*atom))
     error->all(FLERR, (std::string("fix nve/disc: needs 'atom_style ") + disc_atom_style + "'").c_str());

@@ -12,7 +12,8 @@ void add_audit_command(CLI::App& program) {
   add_audit_options(*app, *options);
   app->callback([options] {
     const bool rings = !options->volumes.rings.empty() || !options->volumes.edges.empty();
-    check_bound(rings ? audit_rings(*options) : audit_box(*options), options->bound);
+    reading_again(options->input,
+                  [&] { check_bound(rings ? audit_rings(*options) : audit_box(*options), options->bound); });
   });
 }
 

@@ -86,6 +86,7 @@ class BoxAuditor {
     require_contacts(input, "the stress of walls needs");
     FrameSource source = frame_source(input);
     if (!volumes_.bulk_types.empty()) source.particles_needed = column_set(ParticleColumn::type);
+    source.contacts_required = true;
     source.contacts_needed = column_set(ContactColumn::fx, ContactColumn::fy, ContactColumn::overlap);
     return source;
   }

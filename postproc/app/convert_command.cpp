@@ -22,7 +22,8 @@ struct ConvertOptions {
 void convert(const ConvertOptions& options) {
   if (!options.out.ends_with(".h5"))
     throw bad_input({"--out"}, "unknown kind of output file", "a name ending in .h5", in_quotes(options.out));
-  const FrameSource source = frame_source(options.input);
+  FrameSource source = frame_source(options.input);
+  source.particles_needed = column_set(ParticleColumn::id);
   OutputFile file(options.out);
   Progress progress(total_size(source.files()), options.quiet);
   SnapshotWriter writer(file.temporary(), "mikromakro " MIKROMAKRO_VERSION, options.time_step);
@@ -50,7 +51,7 @@ void add_convert_command(CLI::App& program) {
   app->add_option("--timestep", options->time_step, "DT (s): times are written beside the steps")
       ->check(CLI::PositiveNumber);
   app->add_flag("--quiet", options->quiet, "no progress bar");
-  app->callback([options] { convert(*options); });
+  app->callback([options] { reading_again(options->input, [&] { convert(*options); }); });
 }
 
 }  // namespace mikromakro

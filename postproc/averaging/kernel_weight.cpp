@@ -12,9 +12,10 @@ namespace {
 
 class KernelShares : public Shares {
  public:
-  KernelShares(std::unique_ptr<const PointShares> points, double longest_piece)
-      : points_(std::move(points)), longest_piece_(longest_piece) {}
+  KernelShares(std::unique_ptr<const PointShares> points, double reach, double longest_piece)
+      : points_(std::move(points)), reach_(reach), longest_piece_(longest_piece) {}
 
+  double reach(double /*radius*/) const override { return reach_; }
   void of_disc(const Eigen::Vector2d& centre, double /*radius*/, ShareSums& shares) const override {
     points_->add(centre, 1, shares);
   }
@@ -36,6 +37,7 @@ class KernelShares : public Shares {
 
  private:
   std::unique_ptr<const PointShares> points_;
+  double reach_;  // m
   double longest_piece_;
 };
 
@@ -66,11 +68,12 @@ double width_of(const std::string& name, const std::string& width) {
 
 std::unique_ptr<const Shares> KernelWeight::in(const Volumes& volumes) const {
   return std::make_unique<const KernelShares>(volumes.point_shares(kernel_),
+                                              kernel_->reach() * kernel_->width(),
                                               kernel_->branch_piece() * kernel_->width());
 }
 
 std::unique_ptr<const Shares> TopHatWeight::in(const Volumes& volumes) const {
-  return std::make_unique<const KernelShares>(std::make_unique<const SlicedPoints>(volumes, radius_),
+  return std::make_unique<const KernelShares>(std::make_unique<const SlicedPoints>(volumes, radius_), radius_,
                                               0.5 * radius_);
 }
 

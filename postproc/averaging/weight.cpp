@@ -9,6 +9,7 @@ namespace {
 class SlicedShares : public Shares {
  public:
   explicit SlicedShares(const Volumes& volumes) : volumes_(volumes) {}
+  double reach(double radius) const override { return radius; }
   void of_disc(const Eigen::Vector2d& centre, double radius, ShareSums& shares) const override {
     volumes_.slice(centre, radius, shares.list());
   }
@@ -20,6 +21,7 @@ class SlicedShares : public Shares {
 class CentreShares : public Shares {
  public:
   explicit CentreShares(const Volumes& volumes) : volumes_(volumes) {}
+  double reach(double /*radius*/) const override { return 0; }
   void of_disc(const Eigen::Vector2d& centre, double /*radius*/, ShareSums& shares) const override {
     const int volume = volumes_.find(centre);
     if (volume >= 0) shares.list().push_back({volume, 1.0});

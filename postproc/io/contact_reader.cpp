@@ -50,7 +50,8 @@ ColumnMap map_contacts(const DumpHeader& header, const ContactFormat& format, co
   const bool unnamed = format.list.empty() &&
                        std::find(header.columns.begin(), header.columns.end(), "id1") == header.columns.end();
   static const std::vector<std::string> preset = {"liggghts"};
-  const auto list = expand_preset(unnamed && format.walls ? preset : format.list, header, format.walls, place);
+  const auto list =
+      expand_preset(unnamed && format.walls ? preset : format.list, header, format.walls, place);
   if (!list.empty()) return map_option(list, header.columns.size(), names, place);
   if (format.walls || !is_our_compute(header.columns)) return map_header(header.columns, names, place);
   ColumnMap map;
@@ -215,6 +216,7 @@ void add_wall_contacts(ContactRows walls, ContactRows& contacts) {
   contacts.wall_file = std::move(walls.file);
   contacts.first_wall_line = walls.first_line;
   contacts.walls_given = walls.given;
+  contacts.wall_pieces = std::move(walls.pieces);
   contacts.rows.insert(contacts.rows.end(), walls.rows.begin(), walls.rows.end());
 }
 

@@ -62,6 +62,7 @@ CsvTable::CsvTable(const std::string& file) : file_(file) {
         throw bad_input(lines.place(), "wrong number of columns in the row", fmt::format("{}", names_.size()),
                         fmt::format("{}", row.size()));
       }
+      row_lines_.push_back(lines.line());
       for (const std::string_view cell : row) values.push_back(cell_value(cell, lines.place()));
     }
   }
