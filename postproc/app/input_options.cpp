@@ -11,6 +11,7 @@
 namespace mikromakro {
 
 void add_input_options(CLI::App& app, InputOptions& options) {
+  app.option_defaults()->group("Input");
   app.add_option("input", options.snapshots, "HDF5 snapshots (names or patterns), instead of text dumps");
   app.add_option("--snapshots", options.snapshot_runs,
                  "the same as an option; given again for every further run");
@@ -39,6 +40,7 @@ void add_input_options(CLI::App& app, InputOptions& options) {
       ->delimiter(',');
   app.add_flag("--distant-contacts", options.distant_contacts,
                "discs that do not touch may exert forces (cohesion, liquid bridges); else an error");
+  app.option_defaults()->group("Options");
 }
 
 namespace {
