@@ -140,7 +140,18 @@ TEST(ContactColumns, ThatTellTheSameTwiceMustAgree) {
     EXPECT_EQ(read(given), right);
     given.numbers.at(name) = "2";
     EXPECT_NE(read(given).find("is not that of fx fy"), std::string::npos) << read(given);
+    given.names.erase(given.names.end() - 2);
+    EXPECT_NE(read(given).find("is not that of fx fy"), std::string::npos) << read(given);
   }
+}
+
+TEST(ContactColumns, ThatTellNothingAloneAreRefused) {
+  for (const std::string name : {"nx", "ny", "x1", "y2", "z1", "shearx", "sheary", "shearz", "ftx", "fty", "ftz"}) {
+    const std::string text = read({{"id1", "id2", "fx", "fy", name}});
+    EXPECT_NE(text.find("columns are missing (name them with --contact-columns)"), std::string::npos) << text;
+  }
+  EXPECT_NE(read({{"id1", "id2", "fn", "ft", "fz"}}).find("expected fx fy"), std::string::npos);
+  EXPECT_NE(read({{"id1", "id2", "fx", "fy", "xi", "shearx", "sheary"}}).find("twice"), std::string::npos);
 }
 
 TEST(ContactColumns, PresetsKnowTheComputesOfTheEnginesByTheirNumberOfColumns) {

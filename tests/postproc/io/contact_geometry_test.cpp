@@ -98,7 +98,9 @@ TEST(JoinContacts, StockRowsMarkedPeriodicHaveWrappedPositions) {
     add_row(rows, {{id1, 1}, {id2, 2}, {x1, 9.5}, {y1, 5}, {x2, 0.25}, {y2, 5}, {periodic, flag}});
     const auto contacts = join_all(rows, discs, box_of_ten(true));
     ASSERT_EQ(contacts.size(), flag == 1 ? 1U : 0U);
-    if (flag == 1) EXPECT_DOUBLE_EQ(contacts[0].normal[0], 1);
+    if (flag == 1) {
+      EXPECT_DOUBLE_EQ(contacts[0].normal[0], 1);
+    }
   }
 }
 
