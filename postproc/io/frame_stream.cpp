@@ -47,10 +47,8 @@ void note_boundaries(const RawFrame& raw, Notes* notes) {
   const auto out = std::count_if(raw.particles.begin(), raw.particles.end(),
                                  [&](const Particle& disc) { return reaches_out(disc, raw.box); });
   if (out > 0)
-    notes->add(
-        "no boundary flags behind 'ITEM: BOX BOUNDS': discs that reach out of the box have no images, "
-        "as if it were not periodic",
-        raw.step, out);
+    notes->add("the files do not say whether the box is periodic: discs that reach out of it have no images",
+               raw.step, out);
 }
 
 void complete(RawFrame& raw, double density, bool contacts_required) {
