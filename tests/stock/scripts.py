@@ -91,10 +91,11 @@ def integrate(variant, group):
 
 def start(engine, row):
     if engine == "liggghts":
-        own = ["atom_style " + (row.atom_style or "granular"), "communicate single vel yes"]
+        its = ["atom_style " + (row.atom_style or "granular"), "atom_modify map array", "communicate single vel yes"]
     else:
-        own = ["atom_style " + (row.atom_style or "sphere"), "comm_modify mode single vel yes"]
-    return ["units si", "dimension 2", "newton off", "atom_modify map array", *own]
+        # Its fix pour writes behind the end of a map that is an array.
+        its = ["atom_style " + (row.atom_style or "sphere"), "atom_modify map hash", "comm_modify mode single vel yes"]
+    return ["units si", "dimension 2", "newton off", *its]
 
 
 def set_up(engine, row, faster):
@@ -114,6 +115,12 @@ def expanded(lines, blocks):
             yield line
 
 
+def own(lines, variant):
+    """Those that this law knows."""
+    is_ours = "disc/" in variant.pair
+    return [line.removeprefix("disc:").strip() for line in lines if is_ours or not line.startswith("disc:")]
+
+
 def with_runs(row, variant):
     if row.kind == "fix":
         return [*row.lines, *([f"run {2 * STEPS}"] if variant.one_run else [f"run {STEPS}"] * 2)]
@@ -129,7 +136,7 @@ def of_row(engine, row, variant, out, faster=1):
     rows_own = row.kind == "fix" and "{integrate}" in row.lines
     first = [] if rows_own else blocks["{integrate}"]
     lines = [*set_up(engine, row, faster), *blocks["{law}"], *first, f"timestep {TIME_STEP}",
-             *expanded(with_runs(row, variant), blocks), *last_frame(engine, out)]
+             *expanded(own(with_runs(row, variant), variant), blocks), *last_frame(engine, out)]
     return [line.replace("{out}", out).replace("{folder}", os.path.dirname(out)) for line in lines]
 
 
