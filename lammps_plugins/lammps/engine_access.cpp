@@ -64,6 +64,7 @@ const char* const law_styles =
     "Pair styles: disc/linear disc/hertz, tangential off disc/viscous disc/cundall_strack";
 const char* const engine_family = "LAMMPS";
 const char* const disc_atom_style = "sphere";
+const char* const set_density = "set ... density/disc RHO";
 
 std::string engine_name(const LAMMPS& engine) {
   return std::string("LAMMPS ") + engine.version;

@@ -8,6 +8,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "engine_access.h"
+#include "first_rank.h"
 #include "fix_disc_history.h"
 #include "force.h"
 #include "memory.h"
@@ -103,6 +104,33 @@ void PairDisc::settings(int narg, char** arg) {
     modify->replace_fix(history_id, std::string(dummy_id) + " all DUMMY", 1);
     history_ = nullptr;
   }
+  tell_of_foreign_springs();
+}
+
+namespace {
+
+// Naming a protected member in an explicit template instantiation: see engine_access.cpp.
+struct StylesInRestart {
+  using Type = char** Modify::*;
+  friend Type member(StylesInRestart tag);
+};
+template <class Tag, typename Tag::Type Member>
+struct Grant {
+  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
+};
+template struct Grant<StylesInRestart, &Modify::style_restart_peratom>;
+
+}  // namespace
+
+/// A restart file of a run under another law: no fix of ours takes its springs.
+void PairDisc::tell_of_foreign_springs() const {
+  if (!law_.effects().spring()) return;
+  for (int k = 0; k < modify->nfix_restart_peratom; ++k) {
+    if (std::string("NEIGH_HISTORY") != (modify->*member(StylesInRestart{}))[k]) continue;
+    tell(*lmp,
+         "WARNING: " + law_.style() +
+             ": the restart file holds springs of another law: they are left out, and springs begin at zero");
+  }
 }
 
 void PairDisc::coeff(int narg, char** arg) {
@@ -115,7 +143,7 @@ void PairDisc::coeff(int narg, char** arg) {
   Coefficients given;
   while (arguments.more()) {
     const auto constant = std::find_if(table.begin(), table.end(),
-                                       [&](const Constant& c) { return arguments.take(c.keyword); });
+                                       [&](const Constant& c) { return arguments.take_once(c.keyword); });
     if (constant == table.end()) arguments.unexpected("kn, gamman, kt, gammat or mu");
     given[constant - table.begin()] = arguments.not_negative(constant->keyword);
   }
@@ -130,6 +158,11 @@ void PairDisc::coeff(int narg, char** arg) {
 }
 
 void PairDisc::init_style() {
+  if (force->pair != this)
+    law_.fail(std::string("expected to be the only pair style, got it under '") + force->pair_style +
+              "', where output and walls would not find its contacts; give it alone, with a pair_coeff for "
+              "each pair "
+              "of types");
   law_.require_two_dimensions();
   if (!stores_discs(*atom) || !atom->omega_flag || !atom->torque_flag)
     law_.fail(std::string("needs 'atom_style ") + disc_atom_style + "'");
@@ -237,7 +270,7 @@ void PairDisc::Law::read(int narg, char** arg) {
   Arguments arguments(*lmp, style(), narg, arg);
   while (arguments.more()) {
     if (take_setting(arguments)) continue;
-    if (!arguments.take("tangential"))
+    if (!arguments.take_once("tangential"))
       fail("unknown keyword '" + arguments.word("keyword") +
            "'; expected tangential, damping, tangential_damping" +
            (normal_ == physics::Normal::hertz ? ", limitForce or impact_velocity" : " or limitForce"));

@@ -76,6 +76,7 @@ class PairDisc : public LAMMPS_NS::Pair {
   physics::ContactParameters parameters(int i, int j) const;
   std::vector<physics::ContactParameters> parameters() const;
   void provide_history();
+  void tell_of_foreign_springs() const;
 
   Law law_;
   FixDiscHistory* history_ = nullptr;

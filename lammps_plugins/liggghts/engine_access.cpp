@@ -164,6 +164,7 @@ void announce_set_arrays(LAMMPS_NS::Fix& fix) {
 
 const char* const engine_family = "LIGGGHTS";
 const char* const disc_atom_style = "granular";
+const char* const set_density = "set ... density RHO";
 
 std::string engine_name(const LAMMPS_NS::LAMMPS& engine) {
   return engine.universe->version;

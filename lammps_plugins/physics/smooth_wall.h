@@ -33,6 +33,8 @@ struct SmoothWall {
   PlaneVector velocity;          // of the point (m/s)
   double rotation_rate = 0.0;    // about the point (1/s), counter-clockwise positive
   double radial_velocity = 0.0;  // circle: dR/dt (m/s)
+
+  bool operator==(const SmoothWall&) const = default;
 };
 
 /// The point of a wall nearest to the centre of a disc.
@@ -50,7 +52,9 @@ inline WallPoint nearest_point(const SmoothWall& wall, const PlaneVector& centre
         wall.outward, distance, {centre.x + distance * wall.outward.x, centre.y + distance * wall.outward.y}};
   }
   const double from_centre = std::hypot(x, y);
-  const PlaneVector radial{x / from_centre, y / from_centre};
+  // From the centre itself all points of the circle are equally near.
+  const PlaneVector radial =
+      from_centre > 0 ? PlaneVector{x / from_centre, y / from_centre} : PlaneVector{1, 0};
   const PlaneVector place{wall.point.x + wall.radius * radial.x, wall.point.y + wall.radius * radial.y};
   if (wall.shape == WallShape::circle_around) return {radial, wall.radius - from_centre, place};
   return {{-radial.x, -radial.y}, from_centre - wall.radius, place};

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <string>
 
 #include <mpi.h>
@@ -13,6 +12,7 @@
 #include "arguments.h"
 #include "atom.h"
 #include "comm.h"
+#include "disc_check.h"
 #include "domain.h"
 #include "effects_line.h"
 #include "engine_access.h"
@@ -23,6 +23,7 @@
 #include "neighbor.h"
 #include "output.h"
 #include "time_step_check.h"
+#include "unseen_forces.h"
 #include "update.h"
 
 namespace mikromakro::styles {
@@ -60,7 +61,7 @@ void DiscLaw::forget_settings(Normal normal, Tangential tangential) {
 }
 
 bool DiscLaw::take_switch(Arguments& arguments, const char* key, bool& value) const {
-  if (!arguments.take(key)) return false;
+  if (!arguments.take_once(key)) return false;
   const std::string word = arguments.more() ? arguments.word(key) : "nothing";
   if (word != "on" && word != "off") fail("'" + std::string(key) + "': expected on or off, got " + word);
   value = word == "on";
@@ -73,7 +74,7 @@ bool DiscLaw::take_setting(Arguments& arguments) {
       take_switch(arguments, "limitForce", effects_.no_attraction)) {
     return true;
   }
-  if (effects_.normal != Normal::hertz || !arguments.take("impact_velocity")) return false;
+  if (effects_.normal != Normal::hertz || !arguments.take_once("impact_velocity")) return false;
   impact_velocity_ = arguments.positive("impact_velocity");
   return true;
 }
@@ -105,16 +106,6 @@ void DiscLaw::read_settings(FILE* file, std::int64_t key) {
   tangential_damping_ = effects_.tangential == Tangential::damped_spring;
   impact_velocity_ = settings.impact_velocity;
   choose_loops();
-}
-
-void DiscLaw::check_discs() const {
-  constexpr int none = std::numeric_limits<int>::max();
-  int bad = none;
-  for (int i = 0; i < atom->nlocal; ++i) {
-    if (!(atom->radius[i] > 0) || !(atom->rmass[i] > 0)) bad = std::min(bad, static_cast<int>(atom->tag[i]));
-  }
-  MPI_Allreduce(MPI_IN_PLACE, &bad, 1, MPI_INT, MPI_MIN, world);
-  if (bad != none) fail("expected discs with a radius and a mass > 0, got 0 of disc " + std::to_string(bad));
 }
 
 /// Velocities are predicted where every fix that integrates is fix nve/disc with `velocity predicted`.
@@ -163,9 +154,10 @@ void DiscLaw::begin_run(std::vector<physics::ContactParameters> parameters) {
 /// Once in each run, at its set-up; the engine also initialises when it writes a restart file.
 void DiscLaw::start_run(const NeighList& list) {
   run_started_ = true;
-  check_discs();
+  check_discs(*lmp, style());
   check_time_step(*lmp, list, style(), {effects_, parameters_, impact_velocity_});
   tell(*lmp, effects_line(effects_, *modify, predicted_));
+  warn_of_unseen_forces(*lmp);
 }
 
 const physics::ContactParameters& DiscLaw::parameters(int type_1, int type_2) const {

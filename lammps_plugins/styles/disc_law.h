@@ -150,7 +150,6 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   using Loop = void (DiscLaw::*)(const Evaluation& evaluation, const MoveDiscs& move_discs);
 
   void start_run(const LAMMPS_NS::NeighList& list);
-  void check_discs() const;
   void find_integrators();
   void find_largest_radii();
   void choose_loops();

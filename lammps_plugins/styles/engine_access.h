@@ -81,6 +81,9 @@ void store_density(LAMMPS_NS::Atom& atom, int i, double areal_density);
 bool stores_discs(const LAMMPS_NS::Atom& atom);
 extern const char* const disc_atom_style;
 
+/// The command that gives discs an areal density, for error lines.
+extern const char* const set_density;
+
 /// What the engine does for a fix before set_arrays() of new atoms.
 void announce_set_arrays(LAMMPS_NS::Fix& fix);
 

@@ -22,7 +22,7 @@ FixBottomFriction::FixBottomFriction(LAMMPS* engine, int narg, char** arg) : Fix
   mu_b_ = arguments.positive("coefficient of friction");
   g_ = arguments.positive("acceleration of gravity");
   while (arguments.more()) {
-    if (!arguments.take("velocity")) arguments.unexpected("the keyword velocity");
+    if (!arguments.take_once("velocity")) arguments.unexpected("the keyword velocity");
     given_v_0_ = arguments.positive("velocity");
   }
   if (!atom->rmass_flag) arguments.fail(std::string("needs 'atom_style ") + disc_atom_style + "'");

@@ -38,17 +38,17 @@ FixNveDisc::FixNveDisc(LAMMPS* engine, int narg, char** arg)
 }
 
 void FixNveDisc::read_options(int narg, char** arg) {
-  for (int k = 3; k < narg; k += 2) {
-    const std::string key = arg[k], value = k + 1 < narg ? arg[k + 1] : "nothing";
-    if (key == "velocity" && (value == "predicted" || value == "half_step")) {
-      predicted_ = value == "predicted";
-    } else if (key == "fused" && (value == "on" || value == "off")) {
-      fused_ = value == "on";
+  Arguments arguments(*lmp, "fix nve/disc", narg, arg, 3);
+  while (arguments.more()) {
+    if (arguments.take_once("velocity")) {
+      predicted_ = arguments.take("predicted");
+      if (!predicted_ && !arguments.take("half_step"))
+        arguments.unexpected("'predicted' or 'half_step' after 'velocity'");
+    } else if (arguments.take_once("fused")) {
+      fused_ = arguments.take("on");
+      if (!fused_ && !arguments.take("off")) arguments.unexpected("'on' or 'off' after 'fused'");
     } else {
-      error->all(FLERR, ("fix nve/disc: expected 'velocity predicted', 'velocity half_step', 'fused on' or "
-                         "'fused off', got '" +
-                         key + " " + value + "'")
-                            .c_str());
+      arguments.unexpected("'velocity predicted', 'velocity half_step', 'fused on' or 'fused off'");
     }
   }
 }

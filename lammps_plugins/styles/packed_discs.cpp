@@ -8,6 +8,7 @@
 #include "fix_biaxial_2d.h"
 #include "fix_bottom_friction.h"
 #include "fix_couette_2d.h"
+#include "fix_wall_disc.h"
 #include "force.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -27,7 +28,8 @@ bool may_act(const Fix& fix, int mask) {
   int in_rows = 0;
   if (dynamic_cast<const FixCouette2d*>(&fix)) in_rows = INITIAL_INTEGRATE | PRE_EXCHANGE | POST_FORCE;
   if (dynamic_cast<const FixBiaxial2d*>(&fix)) in_rows = INITIAL_INTEGRATE | POST_FORCE | FINAL_INTEGRATE;
-  if (dynamic_cast<const FixBottomFriction*>(&fix)) in_rows = POST_FORCE;
+  if (dynamic_cast<const FixBottomFriction*>(&fix) || dynamic_cast<const FixWallDisc*>(&fix))
+    in_rows = POST_FORCE;
   return leaves_discs_alone(fix, mask & ~in_rows);
 }
 
