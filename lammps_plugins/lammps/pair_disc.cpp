@@ -8,6 +8,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "engine_access.h"
+#include "first_rank.h"
 #include "fix_disc_history.h"
 #include "force.h"
 #include "memory.h"
@@ -87,7 +88,6 @@ void PairDisc::allocate() {
   memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
   for (int i = 1; i <= types; ++i) std::fill_n(&setflag[i][1], types, 0);
   coefficients_.assign(static_cast<std::size_t>(types) * types, {});
-  largest_radius_.assign(types + 1, 0.0);
 }
 
 PairDisc::Coefficients& PairDisc::coefficients(int i, int j) {
@@ -104,6 +104,33 @@ void PairDisc::settings(int narg, char** arg) {
     modify->replace_fix(history_id, std::string(dummy_id) + " all DUMMY", 1);
     history_ = nullptr;
   }
+  tell_of_foreign_springs();
+}
+
+namespace {
+
+// Naming a protected member in an explicit template instantiation: see engine_access.cpp.
+struct StylesInRestart {
+  using Type = char** Modify::*;
+  friend Type member(StylesInRestart tag);
+};
+template <class Tag, typename Tag::Type Member>
+struct Grant {
+  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
+};
+template struct Grant<StylesInRestart, &Modify::style_restart_peratom>;
+
+}  // namespace
+
+/// A restart file of a run under another law: no fix of ours takes its springs.
+void PairDisc::tell_of_foreign_springs() const {
+  if (!law_.effects().spring()) return;
+  for (int k = 0; k < modify->nfix_restart_peratom; ++k) {
+    if (std::string("NEIGH_HISTORY") != (modify->*member(StylesInRestart{}))[k]) continue;
+    tell(*lmp,
+         "WARNING: " + law_.style() +
+             ": the restart file holds springs of another law: they are left out, and springs begin at zero");
+  }
 }
 
 void PairDisc::coeff(int narg, char** arg) {
@@ -116,7 +143,7 @@ void PairDisc::coeff(int narg, char** arg) {
   Coefficients given;
   while (arguments.more()) {
     const auto constant = std::find_if(table.begin(), table.end(),
-                                       [&](const Constant& c) { return arguments.take(c.keyword); });
+                                       [&](const Constant& c) { return arguments.take_once(c.keyword); });
     if (constant == table.end()) arguments.unexpected("kn, gamman, kt, gammat or mu");
     given[constant - table.begin()] = arguments.not_negative(constant->keyword);
   }
@@ -131,6 +158,11 @@ void PairDisc::coeff(int narg, char** arg) {
 }
 
 void PairDisc::init_style() {
+  if (force->pair != this)
+    law_.fail(std::string("expected to be the only pair style, got it under '") + force->pair_style +
+              "', where output and walls would not find its contacts; give it alone, with a pair_coeff for "
+              "each pair "
+              "of types");
   law_.require_two_dimensions();
   if (!stores_discs(*atom) || !atom->omega_flag || !atom->torque_flag)
     law_.fail(std::string("needs 'atom_style ") + disc_atom_style + "'");
@@ -139,13 +171,6 @@ void PairDisc::init_style() {
   neighbor->requests[request]->size = 1;
   neighbor->requests[request]->history = law_.effects().spring() ? 1 : 0;
   provide_history();
-  std::fill(largest_radius_.begin(), largest_radius_.end(), 0.0);
-  for (int i = 0; i < atom->nlocal; ++i) {
-    double& largest = largest_radius_[atom->type[i]];
-    largest = std::max(largest, atom->radius[i]);
-  }
-  MPI_Allreduce(MPI_IN_PLACE, largest_radius_.data(), static_cast<int>(largest_radius_.size()), MPI_DOUBLE,
-                MPI_MAX, world);
   law_.begin_run(parameters());
 }
 
@@ -188,7 +213,7 @@ std::vector<ContactParameters> PairDisc::parameters() const {
 
 /// Discs that touch.
 double PairDisc::init_one(int i, int j) {
-  return largest_radius_[i] + largest_radius_[j];
+  return law_.largest_radius(i) + law_.largest_radius(j);
 }
 
 void PairDisc::compute(int eflag, int vflag) {
@@ -245,7 +270,7 @@ void PairDisc::Law::read(int narg, char** arg) {
   Arguments arguments(*lmp, style(), narg, arg);
   while (arguments.more()) {
     if (take_setting(arguments)) continue;
-    if (!arguments.take("tangential"))
+    if (!arguments.take_once("tangential"))
       fail("unknown keyword '" + arguments.word("keyword") +
            "'; expected tangential, damping, tangential_damping" +
            (normal_ == physics::Normal::hertz ? ", limitForce or impact_velocity" : " or limitForce"));

@@ -76,11 +76,11 @@ class PairDisc : public LAMMPS_NS::Pair {
   physics::ContactParameters parameters(int i, int j) const;
   std::vector<physics::ContactParameters> parameters() const;
   void provide_history();
+  void tell_of_foreign_springs() const;
 
   Law law_;
   FixDiscHistory* history_ = nullptr;
   std::vector<Coefficients> coefficients_;  // of types i, j at (i - 1) * types + j - 1, for i <= j
-  std::vector<double> largest_radius_;      // of each type, over all ranks
 };
 
 }  // namespace mikromakro::styles

@@ -78,6 +78,7 @@ void PairGranDisc::settings(int narg, char** arg, LIGGGHTS::IContactHistorySetup
   // Accepted for scripts of the stock law; the disc law knows only absolute damping constants.
   if (!absolute_damping) fail("has only 'absolute_damping on' (gamman_abs, gammat_abs)");
   use_settings();
+  leave_foreign_springs();
 }
 
 void PairGranDisc::init_granular() {

@@ -43,6 +43,7 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, public Dis
 
  private:
   std::vector<physics::ContactParameters> read_material_constants() const;
+  void leave_foreign_springs();
   std::vector<double> material_constant(const char* name, const char* symbol) const;
 
   int64_t hash_;

@@ -8,6 +8,7 @@
 #include "engine_access.h"
 #include "fix_property_global.h"
 #include "force.h"
+#include "model_names.h"
 #include "modify.h"
 #include "pair_gran_disc.h"
 #include "pair_gran_proxy.h"
@@ -120,6 +121,7 @@ void register_disc_laws(LAMMPS& /*engine*/) {
   static bool done = false;
   if (done) return;
   done = true;
+  watch_model_names();
   auto& names = models::Factory::instance();
   names.addNormalModel("disc/linear", normal_model_linear);
   names.addNormalModel("disc/hertz", normal_model_hertz);

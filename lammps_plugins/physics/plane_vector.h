@@ -6,6 +6,8 @@ namespace mikromakro::physics {
 struct PlaneVector {
   double x = 0.0;
   double y = 0.0;
+
+  bool operator==(const PlaneVector&) const = default;
 };
 
 }  // namespace mikromakro::physics

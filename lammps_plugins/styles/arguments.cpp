@@ -1,12 +1,15 @@
 #include "arguments.h"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 #include "error.h"
+#include "io/nearest_name.h"
 #include "lammps.h"
 
 namespace mikromakro::styles {
@@ -24,7 +27,22 @@ std::string quoted(const std::string& text) {
   return std::string("'").append(text).append("'");
 }
 
+bool in_word(char letter) {
+  return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' || letter == '/';
+}
+
 }  // namespace
+
+std::string did_you_mean(const std::string& word, const std::string& names) {
+  std::vector<std::string_view> known;
+  for (auto begin = names.begin(); begin != names.end();) {
+    const auto end = std::find_if_not(begin, names.end(), in_word);
+    if (end - begin > 2) known.emplace_back(begin, end);
+    begin = std::find_if(end, names.end(), in_word);
+  }
+  const std::string_view nearest = nearest_name(word, known);
+  return nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?";
+}
 
 void stop(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std::string& what) {
   engine.error->all(FLERR, (style + ": " + what).c_str());
@@ -34,6 +52,12 @@ void stop(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std::string
 bool Arguments::take(std::string_view keyword) {
   if (!more() || keyword != arguments_[next_]) return false;
   ++next_;
+  return true;
+}
+
+bool Arguments::take_once(std::string_view keyword) {
+  if (!take(keyword)) return false;
+  if (!taken_once_.emplace(keyword).second) fail(std::string(keyword) + ": expected it once, got it twice");
   return true;
 }
 
@@ -73,7 +97,8 @@ long Arguments::integer(const std::string& name, long least, long most) {
 
 void Arguments::unexpected(const std::string& accepted) {
   fail("expected " + accepted + ", got " +
-       (more() ? quoted(arguments_[next_]) : std::string("the end of the command")));
+       (more() ? quoted(arguments_[next_]) + did_you_mean(arguments_[next_], accepted)
+               : std::string("the end of the command")));
 }
 
 void Arguments::expected(const std::string& name, const std::string& what, const std::string& found) {

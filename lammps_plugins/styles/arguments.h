@@ -2,6 +2,7 @@
 // with one line: the style, the argument, what was expected and what was found.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,8 @@ class Arguments {
   [[nodiscard]] bool more() const { return next_ < count_; }
   // If the next argument is `keyword`, takes it.
   bool take(std::string_view keyword);
+  // The same for a keyword that may stand once: fails where it stands again.
+  bool take_once(std::string_view keyword);
 
   // `name` is what the documentation calls the argument.
   std::string word(const std::string& name);
@@ -32,7 +35,8 @@ class Arguments {
   long integer(const std::string& name, long least, long most);
 
   [[noreturn]] void fail(const std::string& what) const { stop(engine_, style_, what); }
-  // For a place where none of the accepted keywords stands.
+  // For a place where none of the accepted keywords stands: names them, and the one that looks most like what
+  // stands there.
   [[noreturn]] void unexpected(const std::string& accepted);
 
  private:
@@ -43,7 +47,11 @@ class Arguments {
   int count_;
   int next_;
   char** arguments_;
+  std::set<std::string, std::less<>> taken_once_;
 };
+
+// "; did you mean 'NAME'?" where one of the words of a text looks like `word`, else nothing.
+std::string did_you_mean(const std::string& word, const std::string& names);
 
 // A number as users write it: 0.0053, not 0.005300000.
 std::string text_of(double value);

@@ -1,5 +1,7 @@
 #include "biaxial_settings.h"
 
+#include <utility>
+
 #include "atom.h"
 #include "lammps.h"
 
@@ -66,7 +68,8 @@ void check(const Arguments& arguments, const BiaxialSettings& settings) {
 BiaxialSettings parse_biaxial(LAMMPS_NS::LAMMPS& engine, Arguments& arguments) {
   BiaxialSettings settings;
   std::array<bool, 4> given{};
-  int side = -1;  // the last one named
+  std::array<bool, 5> typed{};  // for all walls, and for each
+  int side = -1;                // the last one named
   while (arguments.more()) {
     if (const int named = take_side(arguments); named >= 0) {
       side = named;
@@ -76,10 +79,11 @@ BiaxialSettings parse_biaxial(LAMMPS_NS::LAMMPS& engine, Arguments& arguments) {
       settings.walls[side].control = parse_control(arguments, biaxial_sides[side]);
     } else if (arguments.take("type")) {
       const int type = static_cast<int>(arguments.integer("type", 1, engine.atom->ntypes));
+      if (std::exchange(typed[side + 1], true)) arguments.fail("type: expected it once, got it twice");
       for (int k = 0; k < 4; ++k) {
         if (side < 0 || k == side) settings.walls[k].type = type;
       }
-    } else if (arguments.take("height")) {
+    } else if (arguments.take_once("height")) {
       settings.height = arguments.positive("height");
     } else {
       arguments.unexpected("left, right, bottom, top, type or height");
@@ -96,8 +100,10 @@ BiaxialChange parse_biaxial_change(Arguments& arguments) {
   BiaxialChange change;
   while (arguments.more()) {
     if (const int side = take_side(arguments); side >= 0) {
+      if (change.controls[side])
+        arguments.fail(biaxial_sides[side] + ": expected each wall once, got it twice");
       change.controls[side] = parse_control(arguments, biaxial_sides[side]);
-    } else if (arguments.take("reset")) {
+    } else if (arguments.take_once("reset")) {
       change.reset = true;
     } else {
       arguments.unexpected("left, right, bottom, top or reset");

@@ -1,9 +1,10 @@
 #include "compute_contact_disc.h"
 
+#include <string>
+
 #include "arguments.h"
 #include "disc_law.h"
 #include "engine_access.h"
-#include "error.h"
 #include "update.h"
 
 namespace mikromakro::styles {
@@ -12,8 +13,10 @@ using namespace LAMMPS_NS;
 
 ComputeContactDisc::ComputeContactDisc(LAMMPS* engine, int& iarg, int narg, char** arg)
     : ComputeOfEngine(engine, iarg, narg, arg) {
-  if (narg != iarg) error->all(FLERR, "compute contact/disc: expected no arguments after the style");
+  if (narg != iarg)
+    Arguments(*lmp, "compute contact/disc", narg, arg, iarg).unexpected("no arguments after the style");
   local_flag = 1;
+  timeflag = 1;  // fixes say when they will ask
   size_local_cols = contact_columns;
   size_local_rows = 0;
   array_local = nullptr;
@@ -29,10 +32,9 @@ void ComputeContactDisc::compute_local() {
   invoked_local = update->ntimestep;
   rows_.clear();
   if (!append_contact_rows(*lmp, groupbit, rows_)) {
-    error->all(FLERR,
-               "compute contact/disc: the forces of this step were not recorded; it gives rows to dumps in "
-               "steps that "
-               "the engine has scheduled for output");
+    stop(*lmp, "compute contact/disc",
+         "the forces of step " + std::to_string(update->ntimestep) +
+             " were not recorded; expected to be asked in a step of output, or by a fix that has said when");
   }
   row_pointers_.clear();
   for (auto& row : rows_) row_pointers_.push_back(row.data());

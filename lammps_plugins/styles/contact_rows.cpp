@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 
 #include "atom.h"
 #include "compute.h"
@@ -41,9 +42,9 @@ ContactRow row_of(const Atom& atom, const AppliedContact& c) {
 
 void ContactSchedule::look_up(LAMMPS& engine) {
   const Modify& modify = *engine.modify;
-  computes_defined_ = std::any_of(modify.compute, modify.compute + modify.ncompute, [](const Compute* c) {
-    return std::strcmp(c->style, "contact/disc") == 0;
-  });
+  computes_.clear();
+  std::copy_if(modify.compute, modify.compute + modify.ncompute, std::back_inserter(computes_),
+               [](const Compute* c) { return std::strcmp(c->style, "contact/disc") == 0; });
   observers_.clear();
   for (int k = 0; k < modify.nfix; ++k) {
     if (const auto* observer = dynamic_cast<const ContactObserver*>(modify.fix[k]))
@@ -54,7 +55,9 @@ void ContactSchedule::look_up(LAMMPS& engine) {
 bool ContactSchedule::due(const Update& update, const Output& output) const {
   const bool scheduled =
       update.setupflag || update.ntimestep == update.laststep || update.ntimestep == output.next;
-  if (scheduled && (computes_defined_ || !observers_.empty())) return true;
+  if (scheduled && (!computes_.empty() || !observers_.empty())) return true;
+  const auto is_asked = [&](Compute* compute) { return compute->matchstep(update.ntimestep) != 0; };
+  if (std::any_of(computes_.begin(), computes_.end(), is_asked)) return true;
   return std::any_of(observers_.begin(), observers_.end(), [&](const ContactObserver* observer) {
     return observer->wants_contacts_at(update.ntimestep);
   });

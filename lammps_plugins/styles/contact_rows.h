@@ -8,6 +8,10 @@
 #include "lmptype.h"
 #include "pointers.h"
 
+namespace LAMMPS_NS {
+class Compute;
+}
+
 namespace mikromakro::styles {
 
 /// id1 id2 x1 y1 x2 y2 nx ny overlap fx fy fn ft xi vn vt: signs as in physics/contact_law.h, the force acts
@@ -40,8 +44,8 @@ class ContactObserver {
 };
 
 /// The steps in which contacts are kept for those who read them: the set-up, the last step, those that the
-/// engine has scheduled for thermo, dumps or restarts where there is a compute contact/disc, and those that
-/// an observer wants.
+/// engine has scheduled for thermo, dumps or restarts where there is a compute contact/disc, those for which
+/// another fix has asked one (fix ave/time and others of a compute reduce), and those that an observer wants.
 class ContactSchedule {
  public:
   /// At the start of a run, when all fixes and computes are defined.
@@ -49,7 +53,7 @@ class ContactSchedule {
   bool due(const LAMMPS_NS::Update& update, const LAMMPS_NS::Output& output) const;
 
  private:
-  bool computes_defined_ = false;
+  std::vector<LAMMPS_NS::Compute*> computes_;
   std::vector<const ContactObserver*> observers_;
 };
 

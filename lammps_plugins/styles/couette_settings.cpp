@@ -31,23 +31,23 @@ void parse_ring(LAMMPS_NS::LAMMPS& engine, Arguments& arguments, const std::stri
 
 void parse_keyword(LAMMPS_NS::LAMMPS& engine, Arguments& arguments, CouetteSettings& settings, Given& given) {
   auto& [inner, outer] = settings.rings;
-  if (arguments.take("center")) {
+  if (arguments.take_once("center")) {
     settings.centre.x = arguments.number("center X");
     settings.centre.y = arguments.number("center Y");
     given.centre = true;
-  } else if (arguments.take("inner")) {
+  } else if (arguments.take_once("inner")) {
     parse_ring(engine, arguments, "inner", inner);
-  } else if (arguments.take("outer")) {
+  } else if (arguments.take_once("outer")) {
     parse_ring(engine, arguments, "outer", outer);
-  } else if (arguments.take("omega_inner")) {
+  } else if (arguments.take_once("omega_inner")) {
     inner.motion.rotation_rate = arguments.number("omega_inner");
     given.rotation = true;
-  } else if (arguments.take("omega_outer")) {
+  } else if (arguments.take_once("omega_outer")) {
     outer.motion.rotation_rate = arguments.number("omega_outer");
-  } else if (arguments.take("compact")) {
+  } else if (arguments.take_once("compact")) {
     given.outer_end = arguments.positive("compact R_END");
     given.compaction_time = arguments.positive("compact TIME");
-  } else if (arguments.take("height")) {
+  } else if (arguments.take_once("height")) {
     settings.height = arguments.positive("height");
   } else {
     arguments.unexpected("center, inner, outer, omega_inner, omega_outer, compact or height");

@@ -68,18 +68,18 @@ FillRequest parse(Arguments& arguments, int number_of_types) {
   request.region = parse_region(arguments);
   bool seeded = false;
   while (arguments.more()) {
-    if (arguments.take("seed")) {
+    if (arguments.take_once("seed")) {
       request.seed = arguments.integer("seed", 0, std::numeric_limits<long>::max());
       seeded = true;
-    } else if (arguments.take("density")) {
+    } else if (arguments.take_once("density")) {
       request.areal_density = arguments.positive("density");
     } else if (arguments.take("discs")) {
       request.fillings.push_back(parse_filling(arguments, false, number_of_types));
     } else if (arguments.take("uniform")) {
       request.fillings.push_back(parse_filling(arguments, true, number_of_types));
-    } else if (arguments.take("velocity")) {
+    } else if (arguments.take_once("velocity")) {
       request.largest_velocity = arguments.not_negative("velocity");
-    } else if (arguments.take("gap")) {
+    } else if (arguments.take_once("gap")) {
       request.gap = arguments.not_negative("gap");
     } else {
       arguments.unexpected("seed, density, discs, uniform, velocity or gap");

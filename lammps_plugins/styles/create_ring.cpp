@@ -33,17 +33,17 @@ RingRequest parse(Arguments& arguments, int number_of_types) {
   ring.centre.y = arguments.number("Y");
   ring.ring_radius = arguments.positive("R");
   while (arguments.more()) {
-    if (arguments.take("pitch"))
+    if (arguments.take_once("pitch"))
       ring.pitch = arguments.positive("pitch");
-    else if (arguments.take("number"))
+    else if (arguments.take_once("number"))
       ring.number = arguments.integer("number", 1, most_discs);
-    else if (arguments.take("type"))
+    else if (arguments.take_once("type"))
       ring.type = static_cast<int>(arguments.integer("type", 1, number_of_types));
-    else if (arguments.take("radius"))
+    else if (arguments.take_once("radius"))
       ring.disc_radius = arguments.positive("radius");
-    else if (arguments.take("density"))
+    else if (arguments.take_once("density"))
       ring.areal_density = arguments.positive("density");
-    else if (arguments.take("phase"))
+    else if (arguments.take_once("phase"))
       ring.phase = arguments.number("phase");
     else
       arguments.unexpected("pitch, number, type, radius, density or phase");

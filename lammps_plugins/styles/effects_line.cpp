@@ -44,16 +44,23 @@ std::vector<Effect> effects(const physics::Effects& law, const LAMMPS_NS::Modify
   };
   const auto wall = [](const Fix* fix) {
     const auto* source = dynamic_cast<const WallContactSource*>(fix);
-    return (source && !source->wall_kinds().empty()) || std::strncmp(fix->style, "wall/gran", 9) == 0;
+    return source && !source->wall_kinds().empty();
   };
-  return {{law.normal == Normal::hertz ? "normal force of Hertz" : "linear normal force", true},
-          {"normal dashpot", law.normal_dashpot},
-          {friction_name(law.tangential), law.tangential != Tangential::none},
-          {"tangential dashpot", law.tangential == Tangential::damped_spring},
-          {"cut-off of attraction", law.no_attraction},
-          {"bottom friction", any_fix(modify, style("bottom/friction"))},
-          {"gravity", any_fix(modify, style("gravity"))},
-          {"smooth walls", any_fix(modify, wall)}};
+  const auto stock_wall = [](const Fix* fix) {
+    return std::strncmp(fix->style, "wall", 4) == 0 && !dynamic_cast<const WallContactSource*>(fix);
+  };
+  std::vector<Effect> all = {
+      {law.normal == Normal::hertz ? "normal force of Hertz" : "linear normal force", true},
+      {"normal dashpot", law.normal_dashpot},
+      {friction_name(law.tangential), law.tangential != Tangential::none},
+      {"tangential dashpot", law.tangential == Tangential::damped_spring},
+      {"cut-off of attraction", law.no_attraction},
+      {"bottom friction", any_fix(modify, style("bottom/friction"))},
+      {"gravity", any_fix(modify, style("gravity"))},
+      {"smooth walls", any_fix(modify, wall)}};
+  // Nobody misses them where there are none.
+  if (any_fix(modify, stock_wall)) all.push_back({"walls of the engine under their own law", true});
+  return all;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ class Modify;
 namespace mikromakro::styles {
 
 /// Names of the effects of the contact law and of the fixes that are defined: bottom friction, gravity,
-/// smooth walls (ours and the engine's wall/gran).
+/// smooth walls (ours), walls of the engine (its fixes wall/...).
 std::vector<std::string> simulated_effects(const physics::Effects& law, const LAMMPS_NS::Modify& modify);
 
 /// "Effects simulated: ...; not simulated: ...; dashpots see ... velocities".

@@ -12,6 +12,8 @@ function(engine_library name kind)
   set_source_files_properties(${styles_folder}/fix_nve_disc.cpp ${styles_folder}/disc_law_loop.cpp
                               ${styles_folder}/disc_law_state.cpp PROPERTIES COMPILE_OPTIONS
                               "-fno-math-errno;-fno-trapping-math;-ffp-contract=off;-Wno-psabi")
+  # Error lines name the source file, not the machine it was built on.
+  target_compile_options(${name} PRIVATE "-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=")
   target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${styles_folder} ${styles_generated})
   target_link_libraries(${name} PUBLIC mikromakro_physics mikromakro_options MPI::MPI_CXX ${CMAKE_DL_LIBS})
 endfunction()

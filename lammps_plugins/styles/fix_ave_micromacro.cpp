@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "arguments.h"
 #include "disc_law.h"
@@ -11,7 +12,9 @@
 #include "group.h"
 #include "io/error.h"
 #include "io/frame_stream.h"
+#include "io/nearest_name.h"
 #include "mikromakro_version.h"
+#include "options/value_checks.h"
 #include "update.h"
 
 namespace mikromakro::styles {
@@ -27,6 +30,15 @@ std::string option_name(const std::string& word) {
   return name;
 }
 
+// An unknown word, and the option that was meant.
+std::string with_guess(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> words = {"file"};
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) words.push_back(name);
+  for (std::string& name : words) std::replace(name.begin(), name.end(), '-', '_');
+  return in_quotes_with_guess(word, std::vector<std::string_view>(words.begin(), words.end()));
+}
+
 std::vector<std::string> names_at(const std::vector<std::string>& names, LAMMPS_NS::bigint step) {
   std::vector<std::string> files = names;
   for (std::string& file : files) {
@@ -34,6 +46,25 @@ std::vector<std::string> names_at(const std::vector<std::string>& names, LAMMPS_
     if (star != std::string::npos) file.replace(star, 1, std::to_string(step));
   }
   return files;
+}
+
+/// Puts the dashes in front of the options. A word that is no option has to be a value of the one before.
+void name_options(const CLI::App& app, std::vector<std::string>& words) {
+  std::set<std::string> seen;
+  int values = 0;
+  for (std::string& word : words) {
+    const std::string name = option_name(word);
+    const CLI::Option* option = app.get_option_no_throw(name);
+    if (!option && values-- <= 0)
+      throw bad_input({"options"}, "unknown option", "those of `mikromakro average` without dashes",
+                      with_guess(app, word));
+    if (!option) continue;
+    if (name != "--out" && !seen.insert(name).second)
+      throw bad_input({"options"}, "an option is given twice", word + " once", "it again");
+    values =
+        option->get_allow_extra_args() ? option->get_items_expected_max() : option->get_items_expected_min();
+    word = name;
+  }
 }
 
 bool numbered(const std::string& name) {
@@ -73,18 +104,17 @@ FixAveMicromacro::FixAveMicromacro(LAMMPS_NS::LAMMPS* engine, int narg, char** a
 void FixAveMicromacro::parse(std::vector<std::string> words) {
   CLI::App app;
   app.set_help_flag();
-  app.allow_extras();
   add_average_options(app, options_);
-  for (std::string& word : words) {
-    const std::string name = option_name(word);
-    if (app.get_option_no_throw(name) != nullptr) word = name;
-  }
+  check_numbers(app);
+  name_options(app, words);
   // The parser takes its arguments from the back.
   std::reverse(words.begin(), words.end());
-  app.parse(words);
-  if (!app.remaining().empty())
-    throw bad_input({"options"}, "unknown option", "those of `mikromakro average` without dashes",
-                    in_quotes(app.remaining().front()));
+  try {
+    app.parse(words);
+  } catch (const CLI::ParseError& error) {
+    throw Error(Error::Kind::bad_input,
+                complaint(app, error, "those of `mikromakro average` without dashes"));
+  }
 }
 
 int FixAveMicromacro::calls_wanted() const {

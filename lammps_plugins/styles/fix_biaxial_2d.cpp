@@ -20,21 +20,14 @@ constexpr std::array<int, 4> wall_ids = {-1, -2, -3, -4};
 
 }  // namespace
 
-FixBiaxial2d::FixBiaxial2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-    : FixWithClock(lmp, narg, arg), walls_(*lmp, style) {
-  restart_global = restart_peratom = 1;
+FixBiaxial2d::FixBiaxial2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : FixWithWalls(lmp, narg, arg) {
   scalar_flag = vector_flag = 1;
   size_vector = 27;
   global_freq = 1;
   extscalar = extvector = 0;
-  has_values_of_atoms(SmoothWalls::largest_size);
 
-  if (domain->dimension != 2) stop(*lmp, style, "expected 'dimension 2', got dimension 3");
   if (domain->xperiodic || domain->yperiodic)
     stop(*lmp, style, "expected a box that is not periodic in x and y, such as 'boundary f f p'");
-  if (!atom->radius_flag || !atom->omega_flag || !atom->torque_flag)
-    stop(*lmp, style,
-         "expected an atom style with radius, omega and torque, such as " + std::string(disc_atom_style));
   Arguments arguments(*lmp, style, narg, arg, 3);
   settings_ = parse_biaxial(*lmp, arguments);
   clock_ = physics::StepClock(0.0, update->ntimestep, update->dt);
@@ -46,15 +39,7 @@ FixBiaxial2d::FixBiaxial2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   walls_.act_on(groupbit, 0);
   reset_references();
 
-  grow_arrays(atom->nmax);
-  for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
-  atom->add_callback(0);
-  atom->add_callback(1);
-}
-
-FixBiaxial2d::~FixBiaxial2d() {
-  atom->delete_callback(id, 0);
-  atom->delete_callback(id, 1);
+  keep_springs_with_atoms();
 }
 
 int FixBiaxial2d::calls_wanted() const {
@@ -133,7 +118,6 @@ void FixBiaxial2d::final_integrate() {
     if (wall.control.kind == Kind::stress) {
       wall.motion = physics::servo_kick(wall.motion, force_on(side),
                                         {wall.control.mass, wall.control.damping}, update->dt);
-      wall.contact_velocity = wall.motion.velocity;
     }
     wall.work -= outward[side] * 0.5 * (wall.previous_pressing + wall.pressing) *
                  (wall.motion.position - wall.previous_position);

@@ -32,19 +32,15 @@
 #include <array>
 
 #include "biaxial_settings.h"
-#include "dialect.h"
+#include "fix_with_walls.h"
 #include "physics/servo_wall.h"
 #include "physics/step_clock.h"
-#include "smooth_walls.h"
 
 namespace mikromakro::styles {
 
-class FixBiaxial2d : public FixWithClock, public WallContactSource {
+class FixBiaxial2d : public FixWithWalls {
  public:
   FixBiaxial2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
-  ~FixBiaxial2d() override;
-  FixBiaxial2d(const FixBiaxial2d&) = delete;
-  FixBiaxial2d& operator=(const FixBiaxial2d&) = delete;
 
   void init() override;
   void setup(int vflag) override;
@@ -55,25 +51,8 @@ class FixBiaxial2d : public FixWithClock, public WallContactSource {
   void reset_dt() override;
   double compute_scalar() override;
   double compute_vector(int i) override;
-  double memory_usage() override { return walls_.memory_usage(); }
-
-  void grow_arrays(int nmax) override { walls_.grow(nmax); }
-  void copy_arrays(int i, int j, int delflag) override;
-  void set_arrays(int i) override { walls_.clear(i); }
-  int pack_exchange(int i, double* buf) override { return walls_.pack(i, buf); }
-  int unpack_exchange(int nlocal, double* buf) override { return walls_.unpack(nlocal, buf); }
-
   void write_restart(FILE* fp) override;
   void restart(char* buf) override;
-  int pack_restart(int i, double* buf) override;
-  void unpack_restart(int nlocal, int nth) override;
-  int size_restart(int i) override { return 1 + walls_.packed_size(i); }
-  int maxsize_restart() override { return 1 + walls_.largest_packed_size(); }
-
-  bool append_wall_contacts(int group_bit, std::vector<ContactRow>& rows) const override {
-    return walls_.append_contacts(group_bit, rows);
-  }
-  std::vector<WallKind> wall_kinds() const override { return walls_.kinds(); }
 
  protected:
   int calls_wanted() const override;
@@ -114,7 +93,6 @@ class FixBiaxial2d : public FixWithClock, public WallContactSource {
   std::array<Wall, 4> box_{};
   std::array<double, 2> reference_lengths_{};  // of strains (m)
   physics::StepClock clock_;
-  SmoothWalls walls_;
 };
 
 }  // namespace mikromakro::styles

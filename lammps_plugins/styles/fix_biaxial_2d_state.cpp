@@ -125,10 +125,6 @@ void FixBiaxial2d::count_steps_anew(LAMMPS_NS::bigint shift) {
   clock_.shift_steps(shift);
 }
 
-void FixBiaxial2d::copy_arrays(int i, int j, int /*delflag*/) {
-  walls_.copy(i, j);
-}
-
 void FixBiaxial2d::write_restart(FILE* fp) {
   if (comm->me != 0) return;
   const SavedState<Wall> state{box_,
@@ -154,18 +150,6 @@ void FixBiaxial2d::restart(char* buf) {
     box_[side] = state.box[side];
     if (wanted != box_[side].control) begin(side, wanted);
   }
-}
-
-int FixBiaxial2d::pack_restart(int i, double* buf) {
-  buf[0] = size_restart(i);
-  return 1 + walls_.pack(i, buf + 1);
-}
-
-void FixBiaxial2d::unpack_restart(int nlocal, int nth) {
-  const double* extra = atom->extra[nlocal];
-  int start = 0;
-  for (int k = 0; k < nth; ++k) start += static_cast<int>(extra[start]);
-  walls_.unpack(nlocal, extra + start + 1);
 }
 
 }  // namespace mikromakro::styles

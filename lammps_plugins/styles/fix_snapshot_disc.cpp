@@ -30,13 +30,13 @@ FixSnapshotDisc::FixSnapshotDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg
   Arguments arguments(*engine, style, narg, arg, 3);
   nevery = static_cast<int>(arguments.integer("N", 1, std::numeric_limits<int>::max()));
   while (arguments.more()) {
-    if (arguments.take("file")) {
+    if (arguments.take_once("file")) {
       file_ = arguments.word("file");
-    } else if (arguments.take("append")) {
+    } else if (arguments.take_once("append")) {
       append_ = on_or_off(arguments, "append");
-    } else if (arguments.take("start")) {
+    } else if (arguments.take_once("start")) {
       at_start_ = on_or_off(arguments, "start");
-    } else if (arguments.take("height")) {
+    } else if (arguments.take_once("height")) {
       height_ = arguments.positive("height");
     } else {
       arguments.unexpected("file, append, start or height");

@@ -94,7 +94,8 @@ std::vector<WallState> wall_states(const LAMMPS_NS::Modify& modify) {
   for (int k = 0; k < modify.nfix; ++k) {
     LAMMPS_NS::Fix* fix = modify.fix[k];
     const std::string style = fix->style;
-    if (!fix->vector_flag || (style != "couette/2d" && style != "biaxial/2d")) continue;
+    if (!fix->vector_flag || (style != "couette/2d" && style != "biaxial/2d" && style != "wall/disc"))
+      continue;
     walls.push_back({fix->id, style, {}});
     for (int i = 0; i < fix->size_vector; ++i) walls.back().numbers.push_back(fix->compute_vector(i));
   }

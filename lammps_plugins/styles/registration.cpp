@@ -13,6 +13,7 @@
 #include "fix_energy_disc.h"
 #include "fix_nve_disc.h"
 #include "fix_snapshot_disc.h"
+#include "fix_wall_disc.h"
 #include "lammps.h"
 #include "mikromakro_version.h"
 
@@ -21,7 +22,7 @@ const std::map<std::string, FixCreator> disc_fixes = {
     {"ave/micromacro", make_fix<FixAveMicromacro>},   {"biaxial/2d", make_fix<FixBiaxial2d>},
     {"bottom/friction", make_fix<FixBottomFriction>}, {"couette/2d", make_fix<FixCouette2d>},
     {"energy/disc", make_fix<FixEnergyDisc>},         {"nve/disc", make_fix<FixNveDisc>},
-    {"snapshot/disc", make_fix<FixSnapshotDisc>}};
+    {"snapshot/disc", make_fix<FixSnapshotDisc>},     {"wall/disc", make_fix<FixWallDisc>}};
 const std::map<std::string, ComputeCreator> disc_computes = {
     {"contact/disc", make_compute<ComputeContactDisc>}};
 const std::map<std::string, CommandCreator> disc_commands = {{"create_discs", run_command<CreateDiscs>},

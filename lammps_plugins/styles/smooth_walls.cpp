@@ -18,6 +18,7 @@ using physics::Tangential;
 
 int SmoothWalls::add(int id, const std::string& name, int type) {
   kinds_.push_back({id, type, 0.0});
+  ids_of_springs_.push_back(id);
   names_.push_back(name);
   near_.emplace_back();
   loads_.emplace_back();
@@ -126,9 +127,10 @@ void SmoothWalls::find_near(const std::vector<physics::SmoothWall>& walls) {
 }
 
 physics::MovingDisc SmoothWalls::disc(int i) const {
-  if (law_ && law_->packed_discs().open) {
-    const auto& row = law_->packed_discs().discs[i];
-    return {{row.x(), row.y()}, row.velocity(), row.spin(), row.radius()};
+  if (const auto* row = law_ ? law_->seen(i) : nullptr) {
+    // Without friction rows have no spin.
+    const double spin = law_->effects().tangential == Tangential::none ? atom->omega[i][2] : row->spin();
+    return {{row->x(), row->y()}, row->velocity(), spin, row->radius()};
   }
   const double *x = atom->x[i], *v = atom->v[i];
   return {{x[0], x[1]}, {v[0], v[1]}, atom->omega[i][2], atom->radius[i]};
@@ -234,7 +236,7 @@ int SmoothWalls::pack(int i, double* buffer) const {
     const Springs& springs = springs_[slots_[i]];
     for (std::size_t k = 0; k < kinds_.size(); ++k) {
       if (!springs[k].touching) continue;
-      buffer[size++] = kinds_[k].id;
+      buffer[size++] = ids_of_springs_[k];
       buffer[size++] = springs[k].xi;
       buffer[size++] = springs[k].slip_rate;
     }
@@ -250,7 +252,7 @@ int SmoothWalls::unpack(int i, const double* buffer) {
   for (int k = 0; k < count; ++k) {
     const double* packed = buffer + 1 + 3 * k;
     for (std::size_t number = 0; number < kinds_.size(); ++number) {
-      if (kinds_[number].id == static_cast<int>(packed[0]))
+      if (ids_of_springs_[number] == static_cast<int>(packed[0]))
         *spring_of(i, static_cast<int>(number), true) = {packed[1], packed[2], true};
     }
   }

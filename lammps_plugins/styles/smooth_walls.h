@@ -28,6 +28,8 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   /// A wall with the id that contact rows show (contact_rows.h), a name for messages, and the atom type whose
   /// material constants it has. Returns its number.
   int add(int id, const std::string& name, int type);
+  /// Another id in contact rows; springs in files keep the one of add().
+  void show_as(int number, int id) { kinds_[number].id = id; }
   bool any() const { return !kinds_.empty(); }
   void act_on(int group_bit, int but_not_on_bits);
   const std::vector<WallKind>& kinds() const { return kinds_; }
@@ -43,7 +45,7 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   /// On the discs of this rank, by the last apply().
   const std::vector<physics::WallLoad>& loads() const { return loads_; }
   bool append_contacts(int group_bit, std::vector<ContactRow>& rows) const;
-  /// A disc as it is now: in its row, where the state is open.
+  /// A disc as contacts see it in this step: in its row, once they have been evaluated.
   physics::MovingDisc disc(int i) const;
   /// The atoms carry velocities that were predicted for the instant of their positions.
   bool velocities_predicted() const { return step_.predicted; }
@@ -89,6 +91,7 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   int excluded_bits_ = 0;
   bool has_run_ = false;
   std::vector<WallKind> kinds_;
+  std::vector<int> ids_of_springs_;
   std::vector<std::string> names_;
   std::vector<std::vector<physics::ContactParameters>> parameters_;  // of each wall with each type
   DiscLaw* law_ = nullptr;

@@ -2,8 +2,25 @@
 
 #include "app/audits.h"
 #include "app/commands.h"
+#include "app/coverage.h"
+#include "app/run_constants.h"
+#include "app/warnings.h"
 
 namespace mikromakro {
+namespace {
+
+// With what the files say, and whether there is what is asked for.
+void complete(AuditOptions& options) {
+  const FrameSource source = frame_source(options.input);
+  take_height(source, options.volumes.height);
+  options.volumes.height = thickness(options.volumes);
+  VolumeOptions volumes = options.volumes;
+  volumes.weight = "sliced";
+  check_before(source, volumes, options.wheel_types);
+  tell(*source.notes);
+}
+
+}  // namespace
 
 void add_audit_command(CLI::App& program) {
   CLI::App* app =
@@ -11,6 +28,7 @@ void add_audit_command(CLI::App& program) {
   auto options = std::make_shared<AuditOptions>();
   add_audit_options(*app, *options);
   app->callback([options] {
+    complete(*options);
     const bool rings = !options->volumes.rings.empty() || !options->volumes.edges.empty();
     check_bound(rings ? audit_rings(*options) : audit_box(*options), options->bound);
   });

@@ -1,8 +1,10 @@
 #include "app/audit_input.h"
 
 #include "app/progress.h"
+#include "app/warnings.h"
 #include "io/error.h"
 #include "io/file_list.h"
+#include "options/value_checks.h"
 
 namespace mikromakro {
 
@@ -19,9 +21,9 @@ void add_audit_options(CLI::App& app, AuditOptions& options) {
       ->delimiter(',');
   app.add_option("--margin", options.margin,
                  "rings nearer than this to the first and last edge are shown but not judged (m), default 0")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_negative());
   app.add_option("--bound", options.bound, "exit code 1 when a balance is off by more than this part")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_negative());
   app.add_flag("--json", options.json, "print JSON");
   app.add_flag("--quiet", options.quiet, "no progress bar");
 }
@@ -36,6 +38,7 @@ std::int64_t read_frames(const FrameSource& source, bool quiet,
     take(frame);
     progress.update(stream.bytes_read(), ++frames);
   }
+  tell(*source.notes);
   if (frames == 0)
     throw bad_input({source.files().front()}, "no frame is selected",
                     "frames that --frames and --steps select", "0");

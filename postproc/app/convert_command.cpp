@@ -3,10 +3,13 @@
 #include "app/commands.h"
 #include "app/input_options.h"
 #include "app/progress.h"
+#include "app/run_constants.h"
+#include "app/warnings.h"
 #include "io/error.h"
 #include "io/file_list.h"
 #include "io/output_file.h"
 #include "io/snapshot_writer.h"
+#include "options/value_checks.h"
 
 namespace mikromakro {
 namespace {
@@ -22,9 +25,15 @@ void convert(const ConvertOptions& options) {
   if (!options.out.ends_with(".h5"))
     throw bad_input({"--out"}, "unknown kind of output file", "a name ending in .h5", in_quotes(options.out));
   const FrameSource source = frame_source(options.input);
+  check_outputs({options.out}, source.files());
   OutputFile file(options.out);
+  file.require_regular();
   Progress progress(total_size(source.files()), options.quiet);
   SnapshotWriter writer(file.temporary(), "mikromakro " MIKROMAKRO_VERSION, options.time_step);
+  // They are said once for all frames.
+  double height = 0;
+  take_height(source, height);
+  if (!source.snapshot_files.empty()) writer.copy_parameters(Hdf5File::open(source.snapshot_files.front()));
   FrameStream stream(source);
   Frame frame;
   std::int64_t frames = 0;
@@ -32,6 +41,7 @@ void convert(const ConvertOptions& options) {
     writer.add(stream.raw(), frame.particles);
     progress.update(stream.bytes_read(), ++frames);
   }
+  tell(*source.notes);
   if (frames == 0)
     throw bad_input({"--frames"}, "no frame is selected", "frames that --frames and --steps select", "0");
   writer.close();
@@ -46,7 +56,7 @@ void add_convert_command(CLI::App& program) {
   add_input_options(*app, options->input);
   app->add_option("--out", options->out, "FILE.h5")->required();
   app->add_option("--timestep", options->time_step, "DT (s): times are written beside the steps")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   app->add_flag("--quiet", options->quiet, "no progress bar");
   app->callback([options] { convert(*options); });
 }

@@ -8,6 +8,7 @@
 #include "io/csv_reader.h"
 #include "io/error.h"
 #include "io/json_object.h"
+#include "options/value_checks.h"
 
 namespace mikromakro {
 namespace {
@@ -26,14 +27,37 @@ struct FitResult {
   double scale = 0;  // Omega R_i, nan when --omega is not given
 };
 
+// Whether the rows are rings one after the other, where the table gives their edges: a row that was doubled,
+// or whose radius lies in another ring, would count wrongly without a word.
+void check_rings(const CsvTable& table) {
+  if (!table.has("r_inner") || !table.has("r_outer")) return;
+  const Eigen::ArrayXd inner = table.column("r_inner"), outer = table.column("r_outer"),
+                       r = table.column("r");
+  const bool sectors = table.has("phi_begin");
+  for (Eigen::Index i = 0; i < table.rows(); ++i) {
+    if (!(inner[i] <= r[i] && r[i] <= outer[i]))
+      throw bad_input(table.row_place(i), "r lies outside of its ring",
+                      fmt::format("{} to {}", inner[i], outer[i]), fmt::format("{}", r[i]));
+    if (i == 0 || sectors) continue;
+    const double overlap = outer[i - 1] - inner[i];
+    constexpr double rounding = 1e-9;  // of edges that are written with fewer digits
+    if (overlap > rounding * outer[i])
+      throw bad_input(table.row_place(i), "rings overlap or are there twice",
+                      fmt::format("r_inner of at least {}", outer[i - 1]), fmt::format("{}", inner[i]));
+  }
+}
+
 FitResult fit_file(const FitOptions& options) {
   const CsvTable table(options.file);
   ProfilePoints points{table.column("r"), table.column(options.column), {}};
   if (options.weights == "errors") points.error = table.column(options.column + "_err");
   if (table.rows() == 0) throw bad_input({options.file}, "the table is empty", "rows of numbers", "none");
+  check_rings(table);
   if (options.range.size() == 2) {
     const bool ordered = options.range[0] < options.range[1];
-    if (!ordered) throw bad_input({"--range"}, "the range is empty", "R1 < R2", "others");
+    if (!ordered)
+      throw bad_input({"--range"}, "the range is empty", "R1 < R2",
+                      fmt::format("{} {}", options.range[0], options.range[1]));
     const auto inside = points.r >= options.range[0] && points.r <= options.range[1];
     points.v = inside.select(points.v, std::nan("")).eval();
   }
@@ -90,8 +114,10 @@ void add_fit_command(CLI::App& program) {
   app->add_option("--column", options->column, "column to fit, default v_phi");
   app->add_option("--weights", options->weights,
                   "none (default): each ring counts the same; errors: by its standard error COLUMN_err")
-      ->check(CLI::IsMember({"none", "errors"}));
-  app->add_option("--range", options->range, "R1 R2: rings with R1 <= r <= R2 only (m)")->expected(2);
+      ->check(one_of({"none", "errors"}));
+  app->add_option("--range", options->range, "R1 R2: rings with R1 <= r <= R2 only (m)")
+      ->expected(2)
+      ->allow_extra_args(false);
   app->add_option("--ri", options->ri, "R_i (m), default r_inner of the first ring");
   app->add_option("--omega", options->omega, "rate of rotation of the wheel (rad/s), for v0/(Omega R_i)");
   app->add_flag("--json", options->json, "print JSON");

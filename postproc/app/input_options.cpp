@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/warnings.h"
 #include "io/error.h"
 #include "io/file_list.h"
+#include "options/value_checks.h"
 
 namespace mikromakro {
 
@@ -18,14 +20,24 @@ void add_input_options(CLI::App& app, InputOptions& options) {
       "or zstd); given again for every further run");
   app.add_option("--contacts", options.contacts,
                  "text dumps of contacts, or .fstat; as often as --particles");
+  app.add_option("--wall-contacts", options.walls,
+                 "text dumps of contacts with walls, of LIGGGHTS's compute wall/gran/local say; as often as "
+                 "--particles");
   app.add_option("--density", options.density, "areal density rho h (kg/m^2) for files that give no masses")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   app.add_option("--frames", options.frames, "FIRST:LAST[:STEP]: frames by index from 0");
   app.add_option("--steps", options.steps, "A:B: frames by time step");
   app.add_option("--particle-columns", options.particle_columns, "names of all columns, - to skip one")
       ->delimiter(',');
-  app.add_option("--contact-columns", options.contact_columns, "names of all columns, - to skip one")
+  app.add_option("--contact-columns", options.contact_columns,
+                 "names of all columns, - to skip one; or liggghts (compute pair/gran/local), lammps (compute "
+                 "property/local patom1 patom2 and pair/local dist fx fy, or dist force fx fy fz p1 ...)")
       ->delimiter(',');
+  app.add_option("--wall-contact-columns", options.wall_columns,
+                 "the same of --wall-contacts; default liggghts (compute wall/gran/local)")
+      ->delimiter(',');
+  app.add_flag("--distant-contacts", options.distant_contacts,
+               "discs that do not touch may exert forces (cohesion, liquid bridges); else an error");
 }
 
 namespace {
@@ -37,14 +49,19 @@ std::vector<Run> snapshot_runs(const InputOptions& options) {
   return runs;
 }
 
+void check_as_often(std::string_view option, std::size_t times, std::size_t runs) {
+  if (times != 0 && times != runs)
+    throw bad_input({option}, "runs do not match", fmt::format("{} times", runs), fmt::format("{}", times));
+}
+
 std::vector<Run> dump_runs(const InputOptions& options) {
-  if (!options.contacts.empty() && options.contacts.size() != options.particles.size())
-    throw bad_input({"--contacts"}, "runs do not match", fmt::format("{} times", options.particles.size()),
-                    fmt::format("{}", options.contacts.size()));
+  check_as_often("--contacts", options.contacts.size(), options.particles.size());
+  check_as_often("--wall-contacts", options.walls.size(), options.particles.size());
   std::vector<Run> runs;
   for (std::size_t i = 0; i < options.particles.size(); ++i) {
     runs.push_back({expand_files(options.particles[i]), {}, {}});
     if (!options.contacts.empty()) runs.back().contact_files = expand_files(options.contacts[i]);
+    if (!options.walls.empty()) runs.back().wall_files = expand_files(options.walls[i]);
   }
   return runs;
 }
@@ -53,36 +70,51 @@ bool has_snapshots(const InputOptions& options) {
   return !options.snapshots.empty() || !options.snapshot_runs.empty();
 }
 
+// Lists that would name the columns of no file.
+void check_columns(const InputOptions& options) {
+  if (!options.particle_columns.empty() && has_snapshots(options))
+    throw bad_input({"--particle-columns"}, "HDF5 snapshots know their columns", "--particles", "snapshots");
+  if (!options.contact_columns.empty() && options.contacts.empty())
+    throw bad_input({"--contact-columns"}, "there is no dump of contacts", "--contacts",
+                    has_snapshots(options) ? "snapshots" : "none");
+}
+
 }  // namespace
 
 FrameSource frame_source(const InputOptions& options) {
   if (has_snapshots(options) != options.particles.empty())
     throw bad_input({"--particles"}, "the input is not clear", "either HDF5 snapshots or --particles",
                     options.particles.empty() ? "none" : "both");
-  if (has_snapshots(options) && !options.contacts.empty())
-    throw bad_input({"--contacts"}, "HDF5 snapshots hold their contacts",
-                    "--contacts beside --particles only", "both");
+  if (has_snapshots(options) && options.any_contacts())
+    throw bad_input({options.contacts.empty() ? "--wall-contacts" : "--contacts"},
+                    "HDF5 snapshots hold their contacts", "--contacts beside --particles only", "both");
+  if (options.walls.empty() && !options.wall_columns.empty())
+    throw bad_input({"--wall-contact-columns"}, "columns of no file", "--wall-contacts beside it", "none");
+  check_columns(options);
   FrameSource source;
   std::vector<Run> runs = has_snapshots(options) ? snapshot_runs(options) : dump_runs(options);
   source.particle_files = std::move(runs.front().particle_files);
   source.contact_files = std::move(runs.front().contact_files);
   source.snapshot_files = std::move(runs.front().snapshot_files);
+  source.wall_files = std::move(runs.front().wall_files);
   source.further_runs.assign(std::next(runs.begin()), runs.end());
   source.density = options.density;
   source.particle_columns = options.particle_columns;
   source.contact_columns = options.contact_columns;
+  source.wall_columns = options.wall_columns;
+  source.distant_contacts = options.distant_contacts;
   if (!options.frames.empty()) select_frames(options.frames, source.selection);
   if (!options.steps.empty()) select_steps(options.steps, source.selection);
   return source;
 }
 
 void require_contacts(const InputOptions& options, std::string_view what) {
-  if (!options.contacts.empty() || has_snapshots(options)) return;
+  if (options.any_contacts() || has_snapshots(options)) return;
   throw bad_input({"--contacts"}, fmt::format("{} contacts", what), "files of contacts", "none");
 }
 
 FrameSource source_of(const InputOptions& options, const Averager& averager) {
-  if (options.contacts.empty() && !has_snapshots(options) && averager.needs_contacts()) {
+  if (!options.any_contacts() && !has_snapshots(options) && averager.needs_contacts()) {
     throw bad_input({"--contacts"}, "the fields need contacts",
                     "files of contacts, or --fields that need none", "none");
   }
@@ -99,12 +131,17 @@ void describe_input(const InputOptions& options, const FrameSource& source, Prea
     for (const std::string& file : run.snapshot_files) lines.emplace_back("snapshots", file);
     for (const std::string& file : run.particle_files) lines.emplace_back("particles", file);
     for (const std::string& file : run.contact_files) lines.emplace_back("contacts", file);
+    for (const std::string& file : run.wall_files) lines.emplace_back("wall contacts", file);
   }
   if (source.density > 0) lines.emplace_back("density", fmt::format("{} kg/m^2", source.density));
   if (!options.particle_columns.empty())
     lines.emplace_back("particle columns", fmt::format("{}", fmt::join(options.particle_columns, ",")));
   if (!options.contact_columns.empty())
     lines.emplace_back("contact columns", fmt::format("{}", fmt::join(options.contact_columns, ",")));
+  if (!options.wall_columns.empty())
+    lines.emplace_back("wall contact columns", fmt::format("{}", fmt::join(options.wall_columns, ",")));
+  if (options.distant_contacts) lines.emplace_back("distant contacts", "allowed");
+  describe_notes(*source.notes, lines);
 }
 
 }  // namespace mikromakro

@@ -12,10 +12,13 @@
 namespace mikromakro {
 
 struct InputOptions {
-  std::vector<std::string> snapshots, particle_columns, contact_columns;
-  std::vector<std::vector<std::string>> particles, contacts, snapshot_runs;  ///< for each run
+  std::vector<std::string> snapshots, particle_columns, contact_columns, wall_columns;
+  std::vector<std::vector<std::string>> particles, contacts, walls, snapshot_runs;  ///< for each run
   double density = 0;
   std::string frames, steps;
+  bool distant_contacts = false;
+
+  bool any_contacts() const { return !contacts.empty() || !walls.empty(); }
 };
 
 void add_input_options(CLI::App& app, InputOptions& options);

@@ -4,11 +4,14 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "averaging/periodic_images.h"
+
 namespace mikromakro {
 
 // Memory used again for every disc of a frame.
 struct Averager::Scratch {
   Bulk bulk;
+  std::vector<Eigen::Vector2d> images;
   ShareSums shares;
   Eigen::Matrix2d basis;
   Disc disc;
@@ -78,47 +81,74 @@ Averager::Bulk Averager::bulk_of(const Frame& frame) const {
 Rows Averager::frame_sums(const Frame& frame) const {
   Rows sums = Rows::Zero(volumes_->count(), static_cast<Eigen::Index>(offsets_.back()));
   const ContactLists lists(frame);
+  const PeriodicImages images(frame.box, volumes_->bounds());
   Scratch scratch;
   scratch.quantity.resize(sums.cols());
   scratch.bulk = bulk_of(frame);
   for (int i = 0; i < static_cast<int>(frame.particles.size()); ++i) {
     if (!scratch.bulk.holds[static_cast<std::size_t>(i)]) continue;
-    const Particle& particle = frame.particles[static_cast<std::size_t>(i)];
-    scratch.shares.clear();
-    shares_->of_disc(particle.position, particle.radius, scratch.shares);
-    // A branch may reach where its disc does not count.
-    if (scratch.shares.list().empty() && !on_branches_ && !at_walls_) continue;
-    collect(frame, i, lists.of(i), scratch);
-    for (const Share& share : scratch.shares.list())
-      sums.row(share.volume) += share.weight * scratch.quantity;
-    if (on_branches_ || at_walls_) add_placed(particle.position, scratch, sums);
+    const auto ends = lists.of(i);
+    const Eigen::Vector2d& position = frame.particles[static_cast<std::size_t>(i)].position;
+    if (!images.any()) {
+      add_image(frame, i, position, ends, scratch, sums);
+      continue;
+    }
+    images.of(position, reach_of(frame, i, ends), scratch.images);
+    for (const Eigen::Vector2d& centre : scratch.images) add_image(frame, i, centre, ends, scratch, sums);
   }
   return sums;
+}
+
+// How far from its centre a disc or its branches may count.
+double Averager::reach_of(const Frame& frame, int particle, std::span<const ContactEnd> ends) const {
+  const double radius = frame.particles[static_cast<std::size_t>(particle)].radius;
+  const double reach = shares_->reach(radius);
+  if (!on_branches_ && !at_walls_) return reach;
+  double longest = 0;
+  for (const ContactEnd& end : ends) {
+    const double cut = cut_of(frame.contacts[static_cast<std::size_t>(end.contact)]);
+    longest = std::max(longest, std::abs(radius - cut));
+  }
+  return reach + longest;
+}
+
+void Averager::add_image(const Frame& frame, int particle, const Eigen::Vector2d& centre,
+                         std::span<const ContactEnd> ends, Scratch& scratch, Rows& sums) const {
+  scratch.shares.clear();
+  shares_->of_disc(centre, frame.particles[static_cast<std::size_t>(particle)].radius, scratch.shares);
+  // A branch may reach where its disc does not count.
+  if (scratch.shares.list().empty() && !on_branches_ && !at_walls_) return;
+  collect(frame, particle, centre, ends, scratch);
+  for (const Share& share : scratch.shares.list()) sums.row(share.volume) += share.weight * scratch.quantity;
+  if (on_branches_ || at_walls_) add_placed(centre, scratch, sums);
+}
+
+// By how much a branch is shorter than the radius of its disc.
+double Averager::cut_of(const Contact& contact) const {
+  if (branch_ == Branch::radius) return 0;
+  return contact.with_wall() ? contact.overlap : 0.5 * contact.overlap;
 }
 
 DiscContact Averager::contact_of(const Frame& frame, const ContactEnd& end, const Scratch& scratch) const {
   const Contact& contact = frame.contacts[static_cast<std::size_t>(end.contact)];
   const double side = end.first ? 1.0 : -1.0;
   const Eigen::Vector2d normal = scratch.basis * (side * contact.normal);
-  const double cut = branch_ == Branch::radius ? 0.0
-                     : contact.with_wall()     ? contact.overlap
-                                               : 0.5 * contact.overlap;
   const int partner = end.first ? contact.index2 : contact.index1;
   const bool with_wall = partner < 0 || !scratch.bulk.holds[static_cast<std::size_t>(partner)];
   return {normal,
           scratch.basis * (side * contact.force),
-          (scratch.disc.radius - cut) * normal,
+          (scratch.disc.radius - cut_of(contact)) * normal,
           contact.overlap,
           contact.spring,
           with_wall};
 }
 
-// V^p Q^p of one disc for all fields, in the basis at its centre; without contacts that have shares of their
-// own.
-void Averager::collect(const Frame& frame, int particle, std::span<const ContactEnd> ends,
-                       Scratch& scratch) const {
+// V^p Q^p of one image of a disc for all fields, in the basis at its centre; without contacts that have
+// shares of their own.
+void Averager::collect(const Frame& frame, int particle, const Eigen::Vector2d& centre,
+                       std::span<const ContactEnd> ends, Scratch& scratch) const {
   const Particle& from = frame.particles[static_cast<std::size_t>(particle)];
-  scratch.basis = volumes_->basis(from.position);
+  scratch.basis = volumes_->basis(centre);
   Disc& disc = scratch.disc;
   disc.volume = std::numbers::pi * from.radius * from.radius * volumes_->height();
   disc.radius = from.radius;

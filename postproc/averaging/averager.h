@@ -21,6 +21,7 @@ enum class Branch { by_weight, radius, contact };
 struct AveragingOptions {
   std::vector<int> bulk_types;  ///< empty: all; discs of other types are walls
   Branch branch = Branch::by_weight;
+  bool height_known = true;  ///< false: it counts as 1, and what is given per area is per length
 };
 
 /// Seed Eq. 4, Q = 1/V sum_p w^p V^p Q^p, for all volumes and fields at once.
@@ -31,7 +32,9 @@ class Averager {
 
   /// sum_p w^p V^p Q^p of one frame: volumes x numbers, the fields' numbers side by side. Depends on the
   /// frame only, so that frames can be summed apart from each other; discs are summed in the order of the
-  /// frame.
+  /// frame. A disc counts with each of its images through the periodic boundaries of the frame's box, which
+  /// has the contacts of the disc and the basis of its own place. Throws (bad input) where there are too
+  /// many.
   Rows frame_sums(const Frame& frame) const;
 
   /// Rows and columns of such sums.
@@ -68,7 +71,12 @@ class Averager {
   bool is_bulk(const Particle& particle) const;
   Bulk bulk_of(const Frame& frame) const;
   Rows numbers(std::size_t field, const Rows& mean_sums, const std::vector<Rows>& solved) const;
-  void collect(const Frame& frame, int particle, std::span<const ContactEnd> ends, Scratch& scratch) const;
+  double cut_of(const Contact& contact) const;
+  double reach_of(const Frame& frame, int particle, std::span<const ContactEnd> ends) const;
+  void add_image(const Frame& frame, int particle, const Eigen::Vector2d& centre,
+                 std::span<const ContactEnd> ends, Scratch& scratch, Rows& sums) const;
+  void collect(const Frame& frame, int particle, const Eigen::Vector2d& centre,
+               std::span<const ContactEnd> ends, Scratch& scratch) const;
   DiscContact contact_of(const Frame& frame, const ContactEnd& end, const Scratch& scratch) const;
   void add_placed(const Eigen::Vector2d& centre, Scratch& scratch, Rows& sums) const;
   void add_contact(ContactPlace place, const DiscContact& contact, Scratch& scratch, Rows& sums) const;

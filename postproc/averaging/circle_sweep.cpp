@@ -64,11 +64,12 @@ double CircleSweep::arc(double begin, double end) const {
   const double first = std::max(begin - shift, -pi);
   const double last = end - shift;
   double part = 0;
-  if (first < 0) part += half_arc(std::max(-last, 0.0), -first);
-  if (last > 0 && first < pi) part += half_arc(std::max(first, 0.0), std::min(last, pi));
+  // Of two zeros std::max returns the first one, which must not be -0: as a direction that is -pi.
+  if (first < 0) part += half_arc(std::max(0.0, -last), -first);
+  if (last > 0 && first < pi) part += half_arc(std::max(0.0, first), std::min(last, pi));
   if (last > pi) {
     const double beyond = std::min(turn - last, pi);
-    part += half_arc(std::max(beyond, 0.0), pi);
+    part += half_arc(std::max(0.0, beyond), pi);
     if (beyond < 0) part += half_arc(0, -beyond);
   }
   return part;

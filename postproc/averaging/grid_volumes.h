@@ -21,6 +21,9 @@ class GridVolumes : public Volumes {
   Eigen::Matrix2d basis(const Eigen::Vector2d& /*point*/) const override {
     return Eigen::Matrix2d::Identity();
   }
+  Box bounds() const override {
+    return {{x_edges_.front(), y_edges_.front()}, {x_edges_.back(), y_edges_.back()}, {}};
+  }
   void slice(const Eigen::Vector2d& centre, double radius, std::vector<Share>& shares) const override;
   int find(const Eigen::Vector2d& point) const override;
   std::unique_ptr<const PointShares> point_shares(std::shared_ptr<const Kernel> kernel) const override;

@@ -1,5 +1,7 @@
 #include "averaging/kernel_weight.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <utility>
@@ -10,11 +12,15 @@
 namespace mikromakro {
 namespace {
 
+// Of a branch vector, each summed on its own. What is narrower is the weight of centres.
+constexpr double most_pieces = 1e4;
+
 class KernelShares : public Shares {
  public:
-  KernelShares(std::unique_ptr<const PointShares> points, double longest_piece)
-      : points_(std::move(points)), longest_piece_(longest_piece) {}
+  KernelShares(std::unique_ptr<const PointShares> points, double reach, double longest_piece)
+      : points_(std::move(points)), reach_(reach), longest_piece_(longest_piece) {}
 
+  double reach(double /*radius*/) const override { return reach_; }
   void of_disc(const Eigen::Vector2d& centre, double /*radius*/, ShareSums& shares) const override {
     points_->add(centre, 1, shares);
   }
@@ -26,6 +32,10 @@ class KernelShares : public Shares {
                  ShareSums& shares) const override {
     static const GaussLegendre<5> rule;
     const double pieces = std::fmax(1, std::ceil(branch.norm() / longest_piece_));
+    if (pieces > most_pieces)
+      throw bad_input({"--weight"}, "the kernel is much narrower than the discs, which would take hours",
+                      fmt::format("a width of {:.2g} m or more", branch.norm() / most_pieces),
+                      fmt::format("one that divides a branch vector into {:.3g} pieces", pieces));
     for (double piece = 0; piece < pieces; ++piece) {
       for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
         const double s = (piece + 0.5 + 0.5 * rule.nodes[i]) / pieces;
@@ -36,6 +46,7 @@ class KernelShares : public Shares {
 
  private:
   std::unique_ptr<const PointShares> points_;
+  double reach_;  // m
   double longest_piece_;
 };
 
@@ -66,11 +77,12 @@ double width_of(const std::string& name, const std::string& width) {
 
 std::unique_ptr<const Shares> KernelWeight::in(const Volumes& volumes) const {
   return std::make_unique<const KernelShares>(volumes.point_shares(kernel_),
+                                              kernel_->reach() * kernel_->width(),
                                               kernel_->branch_piece() * kernel_->width());
 }
 
 std::unique_ptr<const Shares> TopHatWeight::in(const Volumes& volumes) const {
-  return std::make_unique<const KernelShares>(std::make_unique<const SlicedPoints>(volumes, radius_),
+  return std::make_unique<const KernelShares>(std::make_unique<const SlicedPoints>(volumes, radius_), radius_,
                                               0.5 * radius_);
 }
 

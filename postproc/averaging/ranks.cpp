@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <exception>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 
@@ -180,6 +181,20 @@ FrameSelection Ranks::own_part(FrameSelection selection) const {
   selection.first += rank_ * selection.stride;
   selection.stride *= size_;
   return selection;
+}
+
+void Ranks::gather(Notes& notes) const {
+  if (size_ == 1) return;
+  const std::string own = notes.packed();
+  const int length = static_cast<int>(own.size());
+  std::vector<int> lengths(static_cast<std::size_t>(size_));
+  MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
+  std::vector<int> begins(lengths.size());
+  std::exclusive_scan(lengths.begin(), lengths.end(), begins.begin(), 0);
+  std::string all(static_cast<std::size_t>(begins.back() + lengths.back()), '\0');
+  MPI_Gatherv(own.data(), length, MPI_CHAR, all.data(), lengths.data(), begins.data(), MPI_CHAR, 0,
+              MPI_COMM_WORLD);
+  if (first()) notes.add_packed(all);
 }
 
 void Ranks::gather_in_order(const std::function<void(const TakeSums&)>& run, const TakeSums& take,

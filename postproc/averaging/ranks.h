@@ -7,6 +7,7 @@
 
 #include "averaging/ordered_sums.h"
 #include "io/frame_selection.h"
+#include "io/notes.h"
 
 namespace mikromakro {
 
@@ -32,6 +33,9 @@ class Ranks {
 
   /// The frames of this rank: r, r + P, ... of the selected ones.
   FrameSelection own_part(FrameSelection selection) const;
+
+  /// Rank 0 gets the notes of all. All ranks call it together.
+  void gather(Notes& notes) const;
 
   /// Gives the sums of all ranks' frames to `take` on rank 0, in the order of the frames. `run` is
   /// called on every rank; it gives the sums of the rank's own frames, in their order, to its argument. Sums

@@ -17,6 +17,9 @@ class RingVolumes : public Volumes {
   Eigen::ArrayXd measure() const override;
   Axes axes() const override { return {"r", "phi"}; }
   Eigen::Matrix2d basis(const Eigen::Vector2d& point) const override;
+  Box bounds() const override {
+    return {centre_.array() - edges_.back(), centre_.array() + edges_.back(), {}};
+  }
   Eigen::ArrayXd radii() const override;
   void slice(const Eigen::Vector2d& centre, double radius, std::vector<Share>& shares) const override;
   int find(const Eigen::Vector2d& point) const override;

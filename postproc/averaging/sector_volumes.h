@@ -18,6 +18,7 @@ class SectorVolumes : public Volumes {
   Eigen::ArrayXd measure() const override;
   Axes axes() const override { return rings_->axes(); }
   Eigen::Matrix2d basis(const Eigen::Vector2d& point) const override { return rings_->basis(point); }
+  Box bounds() const override { return rings_->bounds(); }
   void slice(const Eigen::Vector2d& centre, double radius, std::vector<Share>& shares) const override;
   int find(const Eigen::Vector2d& point) const override;
   std::unique_ptr<const PointShares> point_shares(std::shared_ptr<const Kernel> kernel) const override;

@@ -16,6 +16,8 @@ class Shares {
   Shares& operator=(const Shares&) = delete;
   virtual ~Shares() = default;
 
+  /// The distance from its centre (m) at which a disc of this radius may still count.
+  virtual double reach(double radius) const = 0;
   /// w^p of seed Eq. 4 of a disc.
   virtual void of_disc(const Eigen::Vector2d& centre, double radius, ShareSums& shares) const = 0;
 

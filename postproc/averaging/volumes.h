@@ -8,6 +8,7 @@
 #include "averaging/kernel.h"
 #include "averaging/shares.h"
 #include "fields/field.h"
+#include "io/frame.h"
 
 namespace mikromakro {
 
@@ -30,6 +31,9 @@ class Volumes {
   virtual Axes axes() const = 0;
   /// Rotation whose rows are the two directions of the basis at a point (m).
   virtual Eigen::Matrix2d basis(const Eigen::Vector2d& point) const = 0;
+
+  /// The smallest rectangle that holds all of them (m).
+  virtual Box bounds() const = 0;
 
   /// Middle radius of each ring, ascending (m); empty where the volumes are not a sequence of rings.
   virtual Eigen::ArrayXd radii() const { return {}; }

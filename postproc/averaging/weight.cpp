@@ -2,6 +2,7 @@
 
 #include "averaging/kernel_weight.h"
 #include "io/error.h"
+#include "io/nearest_name.h"
 
 namespace mikromakro {
 namespace {
@@ -9,6 +10,7 @@ namespace {
 class SlicedShares : public Shares {
  public:
   explicit SlicedShares(const Volumes& volumes) : volumes_(volumes) {}
+  double reach(double radius) const override { return radius; }
   void of_disc(const Eigen::Vector2d& centre, double radius, ShareSums& shares) const override {
     volumes_.slice(centre, radius, shares.list());
   }
@@ -20,6 +22,7 @@ class SlicedShares : public Shares {
 class CentreShares : public Shares {
  public:
   explicit CentreShares(const Volumes& volumes) : volumes_(volumes) {}
+  double reach(double /*radius*/) const override { return 0; }
   void of_disc(const Eigen::Vector2d& centre, double /*radius*/, ShareSums& shares) const override {
     const int volume = volumes_.find(centre);
     if (volume >= 0) shares.list().push_back({volume, 1.0});
@@ -43,9 +46,10 @@ std::unique_ptr<const Weight> make_weight(const std::string& name) {
   if (name == "sliced") return std::make_unique<const SlicedWeight>();
   if (name == "centre") return std::make_unique<const CentreWeight>();
   if (auto kernel = make_kernel_weight(name)) return kernel;
+  constexpr std::string_view kinds[] = {"sliced", "centre", "gauss", "lucy", "wendland", "tophat"};
   throw bad_input({"--weight"}, "unknown weight",
                   "sliced, centre, gauss:W, lucy:W, wendland:W or tophat:W with a width W in m",
-                  in_quotes(name));
+                  in_quotes_with_guess(name.substr(0, name.find(':')), kinds));
 }
 
 }  // namespace mikromakro

@@ -5,15 +5,19 @@
 
 #include <algorithm>
 
+#include "io/nearest_name.h"
+
 namespace mikromakro {
 namespace {
 
 // Columns of stock dumps that have no use in the plane, accepted so that a list can follow the stock names.
 constexpr std::string_view ignored_particle_names[] = {"z", "vz", "omegax", "omegay", "fx", "fy", "fz"};
-constexpr std::string_view ignored_contact_names[] = {"z1", "z2", "fz", "shearx", "sheary", "shearz"};
 
 static_assert(std::size(particle_column_names) == static_cast<std::size_t>(ParticleColumn::count));
 static_assert(std::size(contact_column_names) == static_cast<std::size_t>(ContactColumn::count));
+static_assert(std::size(contact_read_names) == static_cast<std::size_t>(ContactColumn::read_count));
+static_assert(std::equal(std::begin(contact_column_names), std::end(contact_column_names),
+                         std::begin(contact_read_names)));
 
 int slot_of(std::string_view name, const ColumnNames& names) {
   const auto found = std::find(names.known.begin(), names.known.end(), name);
@@ -38,7 +42,12 @@ const ColumnNames& particle_names() {
 }
 
 const ColumnNames& contact_names() {
-  static constexpr ColumnNames names{contact_column_names, ignored_contact_names, "--contact-columns"};
+  static constexpr ColumnNames names{contact_read_names, {}, "--contact-columns"};
+  return names;
+}
+
+const ColumnNames& wall_contact_names() {
+  static constexpr ColumnNames names{contact_read_names, {}, "--wall-contact-columns"};
   return names;
 }
 
@@ -62,7 +71,8 @@ ColumnMap map_option(const std::vector<std::string>& list, std::size_t columns, 
         name == "-" || std::find(names.ignored.begin(), names.ignored.end(), name) != names.ignored.end();
     if (slot < 0 && !skipped) {
       throw bad_input({names.option}, "unknown column name",
-                      fmt::format("one of {} or -", fmt::join(names.known, " ")), in_quotes(name));
+                      fmt::format("one of {} or -", fmt::join(names.known, " ")),
+                      in_quotes_with_guess(name, names.known));
     }
     append(map, slot, name, {names.option});
   }

@@ -16,7 +16,9 @@ enum class ParticleColumn { id, type, x, y, radius, vx, vy, omegaz, mass, count 
 inline constexpr std::string_view particle_column_names[] = {"id", "type", "x",      "y",   "radius",
                                                              "vx", "vy",   "omegaz", "mass"};
 
-/// Quantities of a contact row: the columns of `compute contact/disc`, and the flag of stock LIGGGHTS.
+/// Quantities of a contact row: the columns of `compute contact/disc`; the flag and the two components of the
+/// spring of stock LIGGGHTS, the distance of stock LAMMPS. Behind `count`: what is looked at while a row is
+/// read, and not kept.
 enum class ContactColumn {
   id1,
   id2,
@@ -35,11 +37,27 @@ enum class ContactColumn {
   vn,
   vt,
   periodic,
-  count
+  dist,
+  shearx,
+  sheary,
+  count,
+  z1 = count,
+  z2,
+  fz,
+  shearz,
+  ftx,
+  fty,
+  ftz,
+  mesh,
+  read_count
 };
-inline constexpr std::string_view contact_column_names[] = {"id1", "id2", "x1",      "y1", "x2",      "y2",
-                                                            "nx",  "ny",  "overlap", "fx", "fy",      "fn",
-                                                            "ft",  "xi",  "vn",      "vt", "periodic"};
+inline constexpr std::string_view contact_column_names[] = {
+    "id1", "id2", "x1", "y1", "x2", "y2", "nx",       "ny",   "overlap", "fx",
+    "fy",  "fn",  "ft", "xi", "vn", "vt", "periodic", "dist", "shearx",  "sheary"};
+/// And those that are not kept.
+inline constexpr std::string_view contact_read_names[] = {
+    "id1", "id2",      "x1",   "y1",     "x2",     "y2", "nx", "ny", "overlap", "fx",   "fy",      "fn", "ft", "xi", "vn",
+    "vt",  "periodic", "dist", "shearx", "sheary", "z1", "z2", "fz", "shearz",  "ftx", "fty", "ftz", "mesh"};
 /// Number of columns of `compute contact/disc`, the first ones of the list above.
 inline constexpr int contact_disc_columns = 16;
 
@@ -69,6 +87,7 @@ struct ColumnNames {
 };
 const ColumnNames& particle_names();
 const ColumnNames& contact_names();
+const ColumnNames& wall_contact_names();
 
 /// Map from the names in the file's header; names that we do not know are skipped. Throws when one is there
 /// twice.

@@ -3,157 +3,295 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
-#include <utility>
+
+#include "io/contact_pairs.h"
+#include "io/contact_tolerance.h"
 
 namespace mikromakro {
 namespace {
 
-constexpr ColumnSet normal_columns = column_set(ContactColumn::nx, ContactColumn::ny);
-constexpr ColumnSet position_columns =
-    column_set(ContactColumn::x1, ContactColumn::y1, ContactColumn::x2, ContactColumn::y2);
+using enum ContactColumn;
+using Eigen::Vector2d;
 
-// Two rows of a pair are different images when their normals differ by more than rounding and output formats
-// do.
-constexpr double same_normal = 1e-3;
+constexpr ColumnSet normal_columns = column_set(nx, ny);
+constexpr ColumnSet place_columns = column_set(x1, y1, x2, y2);
+constexpr ColumnSet force_columns = column_set(fx, fy);
+constexpr ColumnSet components_of_force = column_set(fn, ft);
+constexpr double six_digits = 2e-5;
+
+std::string text_of(const Vector2d& vector) {
+  return fmt::format("{:.9g} {:.9g}", vector.x(), vector.y());
+}
+
+std::string pair_name(const Contact& contact) {
+  return contact.with_wall() ? fmt::format("disc {} and wall {}", contact.id1, contact.id2)
+                             : fmt::format("discs {} and {}", contact.id1, contact.id2);
+}
 
 class Joiner {
  public:
-  Joiner(const ContactRows& rows, const std::vector<Particle>& particles, const IdMap& ids, const Box& box)
-      : rows_(rows), particles_(particles), ids_(ids), box_(box) {}
+  Joiner(const ContactRows& rows, const ContactDiscs& discs, const ContactRules& rules)
+      : rows_(rows),
+        discs_(discs),
+        rules_(rules),
+        length_(discs.box.length()),
+        tolerance_(rows, discs.particles, discs.place_error) {
+    for (Eigen::Index axis = 0; axis < 2; ++axis)
+      if (!discs.box.periodic[static_cast<std::size_t>(axis)] || length_[axis] <= 0) length_[axis] = 0;
+  }
 
-  Contact join(std::size_t i) const {
-    const ContactRow& row = rows_.rows[i];
-    Contact contact;
-    contact.id1 = static_cast<std::int64_t>(row[ContactColumn::id1]);
-    contact.id2 = static_cast<std::int64_t>(row[ContactColumn::id2]);
+  /// False where the row is no contact.
+  bool join(std::size_t i, Contact& contact) const {
+    const Row row{rows_.rows[i], rows_.given_in(i), i};
+    contact.id1 = static_cast<std::int64_t>(row[id1]);
+    contact.id2 = static_cast<std::int64_t>(row[id2]);
     contact.index1 = find(contact.id1, i);
     contact.index2 = contact.with_wall() ? -1 : find(contact.id2, i);
-    contact.force = {row[ContactColumn::fx], row[ContactColumn::fy]};
-    contact.spring = row[ContactColumn::xi];
-    contact.overlap = row[ContactColumn::overlap];
-    contact.normal = {row[ContactColumn::nx], row[ContactColumn::ny]};
-    if (!rows_.has(normal_columns) || !rows_.has(column_set(ContactColumn::overlap))) derive(contact, i);
-    return contact;
+    contact.normal = {row[nx], row[ny]};
+    contact.overlap = row[overlap];
+    const double slack = contact.with_wall() ? join_wall(row, contact) : join_discs(row, contact);
+    set_force(row, contact);
+    check_components(row, contact, slack);
+    return is_contact(row, contact, slack);
   }
 
  private:
+  struct Row {
+    const ContactRow& numbers;
+    ColumnSet given;
+    std::size_t index;
+
+    double operator[](ContactColumn column) const { return numbers[column]; }
+    bool has(ColumnSet columns) const { return (columns & ~given) == 0; }
+    bool has(ContactColumn column) const { return has(column_bit(column)); }
+    Vector2d place(ContactColumn x, ContactColumn y) const { return {numbers[x], numbers[y]}; }
+  };
+
   int find(std::int64_t id, std::size_t i) const {
-    const int index = ids_.find(id);
+    const int index = discs_.ids.find(id);
     if (index < 0)
       throw bad_input(rows_.place(i), "contact with an unknown id", "an id of the particle dump",
                       fmt::format("{}", id));
     return index;
   }
 
-  void derive(Contact& contact, std::size_t i) const {
-    const bool by_rows = rows_.has(position_columns);
-    if (!by_rows && contact.with_wall()) {
-      const bool overlap_needed = (rows_.needed & column_set(ContactColumn::overlap)) != 0;
-      if (rows_.has(normal_columns) && !overlap_needed) return;
-      throw bad_input(rows_.place(i), "wall contact without geometry", "columns nx ny overlap or x1 y1 x2 y2",
-                      "neither");
+  const Particle& disc(int index) const { return discs_.particles[static_cast<std::size_t>(index)]; }
+
+  /// Normal and overlap of two discs, checked or derived; gives the tolerance.
+  double join_discs(const Row& row, Contact& contact) const {
+    const Particle& one = disc(contact.index1);
+    const Particle& two = disc(contact.index2);
+    const bool by_row = row.has(place_columns);
+    if (by_row) {
+      check_place(row, x1, y1, one);
+      check_place(row, x2, y2, two);
     }
-    const Eigen::Vector2d branch = by_rows ? row_branch(i) : particle_branch(contact);
-    const double distance = branch.norm();
-    if (!rows_.has(normal_columns)) {
-      if (distance == 0)
-        throw bad_input(rows_.place(i), "contact of coinciding centres", "a distance > 0", "0");
-      contact.normal = branch / distance;
+    check_flag(row);
+    const double reach = one.radius + two.radius;
+    const double told = row.has(overlap) ? row[overlap] : row.has(dist) ? row[dist] : not_given;
+    const double slack =
+        tolerance_.of_geometry(std::min(one.radius, two.radius), reach, told, by_row);
+    check_branch(row, branch_of(row, two.position - one.position, reach, by_row, slack), reach, slack, contact);
+    return slack;
+  }
+
+  /// The same of a disc and a wall, where the row tells enough.
+  double join_wall(const Row& row, Contact& contact) const {
+    const Particle& one = disc(contact.index1);
+    const double told = row.has(overlap) ? row[overlap] : not_given;
+    const double slack = tolerance_.of_geometry(one.radius, one.radius, told, true);
+    if (!std::isnan(row[x1]) && !std::isnan(row[x2])) {
+      check_place(row, x1, y1, one);
+      Vector2d branch = row.place(x2, y2) - row.place(x1, y1);
+      if (branch.norm() > one.radius) branch = nearest(branch);
+      check_branch(row, branch, one.radius, slack, contact);
+      return slack;
     }
-    if (rows_.has(column_set(ContactColumn::overlap))) return;
-    const double radius2 = contact.with_wall() ? 0.0 : particles_[contact.index2].radius;
-    contact.overlap = particles_[contact.index1].radius + radius2 - distance;
+    const bool overlap_needed = (rows_.needed & column_set(overlap)) != 0;
+    if (!row.has(normal_columns) || (overlap_needed && !row.has(overlap)))
+      throw bad_input(rows_.place(row.index), "wall contact without geometry",
+                      "columns nx ny overlap or x1 y1 x2 y2", "neither");
+    return slack;
   }
 
-  Eigen::Vector2d row_branch(std::size_t i) const {
-    const ContactRow& row = rows_.rows[i];
-    const Eigen::Vector2d branch{row[ContactColumn::x2] - row[ContactColumn::x1],
-                                 row[ContactColumn::y2] - row[ContactColumn::y1]};
-    const bool told = rows_.has(column_set(ContactColumn::periodic));
-    return told && row[ContactColumn::periodic] == 0 ? branch : nearest_image(branch);
+  void check_place(const Row& row, ContactColumn x, ContactColumn y, const Particle& disc) const {
+    const Vector2d told = row.place(x, y);
+    const Vector2d apart = nearest(told - disc.position);
+    const double allowed = tolerance_.of_place(disc.radius);
+    if (std::abs(apart.x()) <= allowed && std::abs(apart.y()) <= allowed) return;
+    throw bad_input(rows_.place(row.index),
+                    fmt::format("disc {} is not where the row says (another run or step, or ids that have "
+                                "lost digits?)",
+                                disc.id),
+                    fmt::format("{} {} = {} within {:.2g} m", contact_read_names[static_cast<std::size_t>(x)],
+                                contact_read_names[static_cast<std::size_t>(y)], text_of(disc.position), allowed),
+                    text_of(told));
   }
 
-  Eigen::Vector2d particle_branch(const Contact& contact) const {
-    return nearest_image(particles_[contact.index2].position - particles_[contact.index1].position);
+  void check_flag(const Row& row) const {
+    if (!row.has(periodic) || row[periodic] == 0) return;
+    if (row[periodic] != 1)
+      throw bad_input(rows_.place(row.index), "periodic is a flag", "0 or 1", fmt::format("{}", row[periodic]));
+    if (length_.isZero())
+      throw bad_input(rows_.place(row.index), "a contact through a periodic boundary in a box that has none",
+                      "a periodic box in the dump of particles ('ITEM: BOX BOUNDS pp ...')", "periodic = 1");
   }
 
-  Eigen::Vector2d nearest_image(Eigen::Vector2d branch) const {
-    const Eigen::Vector2d length = box_.length();
-    for (Eigen::Index axis = 0; axis < 2; ++axis)
-      if (box_.periodic[static_cast<std::size_t>(axis)] && length[axis] > 0)
-        branch[axis] -= length[axis] * std::round(branch[axis] / length[axis]);
+  /// From disc 1 to the image of disc 2 that the row means. `between`: from centre to centre in the file.
+  Vector2d branch_of(const Row& row, const Vector2d& between, double reach, bool by_row, double slack) const {
+    if (by_row) {
+      const Vector2d branch = row_branch(row, reach + slack);
+      return tolerance_.discs_are_better() ? image_near(between, branch) : branch;
+    }
+    if (row.has(normal_columns)) {
+      if (length_.isZero()) return between;
+      const double gap = row.has(overlap) ? -row[overlap] : 0;
+      return image_near(between, (reach + gap) * row.place(nx, ny));
+    }
+    const Vector2d branch = nearest(between);
+    check_one_image(row, branch, reach);
     return branch;
   }
 
-  const ContactRows& rows_;
-  const std::vector<Particle>& particles_;
-  const IdMap& ids_;
-  const Box& box_;
-};
-
-// The normal of a pair as seen from its lower id, so that both orders of a pair compare.
-std::pair<std::int64_t, std::int64_t> pair_of(const Contact& contact) {
-  return std::minmax(contact.id1, contact.id2);
-}
-Eigen::Vector2d ordered_normal(const Contact& contact) {
-  return contact.id1 < contact.id2 ? contact.normal : Eigen::Vector2d(-contact.normal);
-}
-
-// Whether a disc touches itself or a pair is there twice, in one pass over a table of hashes.
-bool all_pairs_differ(const std::vector<Contact>& contacts) {
-  const std::size_t places = std::bit_ceil(4 * contacts.size() + 1);
-  std::vector<int> table(places, -1);
-  for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
-    const auto pair = pair_of(contacts[static_cast<std::size_t>(i)]);
-    if (pair.first == pair.second) return false;
-    constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U;
-    std::uint64_t hash =
-        (static_cast<std::uint64_t>(pair.first) * odd + static_cast<std::uint64_t>(pair.second)) * odd;
-    hash ^= hash >> 32U;
-    std::size_t place = hash & (places - 1);
-    for (; table[place] >= 0; place = (place + 1) & (places - 1))
-      if (pair_of(contacts[static_cast<std::size_t>(table[place])]) == pair) return false;
-    table[place] = i;
+  /// As the places of the row say. Stock LIGGGHTS wraps those of rows that have periodic = 1.
+  Vector2d row_branch(const Row& row, double reach) const {
+    const Vector2d branch = row.place(x2, y2) - row.place(x1, y1);
+    if (row.has(periodic) && row[periodic] == 0) return branch;
+    if (row.has(periodic) && is_inside(row.place(x1, y1)) && is_inside(row.place(x2, y2)))
+      return nearest_other(branch);
+    return branch.norm() <= reach ? branch : nearest(branch);
   }
-  return true;
-}
 
-void check_pairs(const std::vector<Contact>& contacts, const ContactRows& rows, const Box& box) {
-  if (all_pairs_differ(contacts)) return;
-  const bool periodic = box.periodic[0] || box.periodic[1];
-  std::vector<std::size_t> order(contacts.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return pair_of(contacts[a]) < pair_of(contacts[b]); });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Contact& contact = contacts[order[i]];
-    if (contact.id1 == contact.id2 && !periodic)
-      throw bad_input(rows.place(order[i]), "a disc in contact with itself", "two ids",
-                      fmt::format("twice {}", contact.id1));
-    for (std::size_t j = i; j-- > 0 && pair_of(contacts[order[j]]) == pair_of(contact);) {
-      const bool other_image =
-          periodic && (ordered_normal(contacts[order[j]]) - ordered_normal(contact)).norm() > same_normal;
-      if (other_image) continue;
-      throw bad_input(
-          rows.place(order[i]), "contact listed twice", "each pair once per frame",
-          fmt::format("{} {} as in line {}", contact.id1, contact.id2, rows.place(order[j]).line));
+  bool is_inside(const Vector2d& place) const {
+    const Box& box = discs_.box;
+    return (place.array() >= box.low.array()).all() && (place.array() <= box.high.array()).all();
+  }
+
+  Vector2d nearest(Vector2d branch) const {
+    for (Eigen::Index axis = 0; axis < 2; ++axis)
+      if (length_[axis] > 0) branch[axis] -= length_[axis] * std::round(branch[axis] / length_[axis]);
+    return branch;
+  }
+
+  /// The nearest of all images but the disc itself.
+  Vector2d nearest_other(const Vector2d& branch) const {
+    Vector2d best(1e300, 0);
+    for (int along_x = -1; along_x <= 1; ++along_x)
+      for (int along_y = -1; along_y <= 1; ++along_y) {
+        const Vector2d shift(along_x * length_.x(), along_y * length_.y());
+        if (!shift.isZero() && (branch + shift).norm() < best.norm()) best = branch + shift;
+      }
+    return best;
+  }
+
+  Vector2d image_near(const Vector2d& branch, const Vector2d& wanted) const {
+    return wanted + nearest(branch - wanted);
+  }
+
+  /// Only the nearest image touches, unless the box is narrower than the two discs.
+  void check_one_image(const Row& row, const Vector2d& branch, double reach) const {
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+      if (length_[axis] == 0) continue;
+      const double other = length_[axis] - std::abs(branch[axis]);
+      if (std::hypot(other, branch[1 - axis]) < reach)
+        throw bad_input(rows_.place(row.index), "the discs touch through two images, the row does not say which",
+                        "columns nx ny or x1 y1 x2 y2", "neither");
     }
   }
-}
+
+  /// Sets what the row does not tell, checks what it tells.
+  void check_branch(const Row& row, const Vector2d& branch, double reach, double slack, Contact& contact) const {
+    const double distance = branch.norm();
+    if (!row.has(normal_columns)) {
+      if (distance == 0)
+        throw bad_input(rows_.place(row.index), "contact of coinciding centres", "a distance > 0", "0");
+      contact.normal = branch / distance;
+    } else if (const Vector2d apart = branch - distance * contact.normal;
+               !(std::abs(apart.x()) <= slack && std::abs(apart.y()) <= slack)) {
+      throw bad_input(rows_.place(row.index), fmt::format("the normal is not that of {}", pair_name(contact)),
+                      fmt::format("nx ny = {} within {:.2g}", text_of(branch / distance), slack / distance),
+                      text_of(contact.normal));
+    }
+    check_told(row, "dist", row.has(dist) ? row[dist] : distance, distance, slack, contact);
+    const double derived = reach - (row.has(dist) && !row.has(place_columns) ? row[dist] : distance);
+    if (!row.has(overlap)) contact.overlap = derived;
+    check_told(row, "overlap", contact.overlap, derived, slack, contact);
+  }
+
+  void check_told(const Row& row, std::string_view name, double told, double right, double slack,
+                  const Contact& contact) const {
+    if (std::abs(told - right) <= slack) return;
+    throw bad_input(rows_.place(row.index), fmt::format("{} is not that of {}", name, pair_name(contact)),
+                    fmt::format("{:.9g} within {:.2g} m", right, slack), fmt::format("{:.9g}", told));
+  }
+
+  static void set_force(const Row& row, Contact& contact) {
+    const Vector2d tangent(-contact.normal.y(), contact.normal.x());
+    contact.force = row.has(force_columns) || !row.has(components_of_force)
+                        ? row.place(fx, fy)
+                        : Vector2d(-row[fn] * contact.normal + row[ft] * tangent);
+    // The spring of stock LIGGGHTS is the slip of 1 against 2, too.
+    contact.spring = row.has(column_set(shearx, sheary)) && !row.has(xi)
+                         ? row.place(shearx, sheary).dot(tangent)
+                         : row[xi];
+  }
+
+  void check_components(const Row& row, const Contact& contact, double slack) const {
+    if (!row.has(force_columns | components_of_force)) return;
+    const Vector2d tangent(-contact.normal.y(), contact.normal.x());
+    const Vector2d right(-contact.force.dot(contact.normal), contact.force.dot(tangent));
+    const Vector2d told = row.place(fn, ft);
+    // Both are rounded, to six digits at least, and turned by what the normal is off.
+    const double allowed = contact.force.norm() * (six_digits + 2 * slack / disc(contact.index1).radius);
+    if (std::abs(told.x() - right.x()) <= allowed && std::abs(told.y() - right.y()) <= allowed) return;
+    throw bad_input(rows_.place(row.index), fmt::format("fn ft is not that of fx fy of {}", pair_name(contact)),
+                    fmt::format("{} within {:.2g} N", text_of(right), allowed), text_of(told));
+  }
+
+  bool is_contact(const Row& row, const Contact& contact, double slack) const {
+    if (!(contact.overlap <= 0)) return true;
+    const bool forces_known = row.has(force_columns) || row.has(components_of_force);
+    if (forces_known && contact.force.isZero(0)) return false;
+    if (contact.overlap >= -slack) return true;
+    if (!forces_known) return false;
+    if (rules_.distant) return true;
+    throw bad_input(rows_.place(row.index),
+                    fmt::format("a force between {} that do not touch (where such forces are meant, cohesion "
+                                "say, give --distant-contacts)",
+                                pair_name(contact)),
+                    fmt::format("an overlap > {:.2g} m or no force", -slack),
+                    fmt::format("{:.9g}", contact.overlap));
+  }
+
+  const ContactRows& rows_;
+  const ContactDiscs& discs_;
+  const ContactRules& rules_;
+  Vector2d length_;  ///< 0 along an axis that is not periodic
+  ContactTolerance tolerance_;
+};
 
 }  // namespace
 
-std::vector<Contact> join_contacts(const ContactRows& rows, const std::vector<Particle>& particles,
-                                   const IdMap& ids, const Box& box) {
-  const Joiner joiner(rows, particles, ids, box);
+std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& discs,
+                                   const ContactRules& rules) {
+  const Joiner joiner(rows, discs, rules);
   std::vector<Contact> contacts;
+  std::vector<std::size_t> row_of;
   contacts.reserve(rows.rows.size());
-  for (std::size_t i = 0; i < rows.rows.size(); ++i) contacts.push_back(joiner.join(i));
-  check_pairs(contacts, rows, box);
+  row_of.reserve(rows.rows.size());
+  Contact contact;
+  for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+    if (!joiner.join(i, contact)) continue;
+    contacts.push_back(contact);
+    row_of.push_back(i);
+  }
+  check_pairs(contacts, row_of, rows, discs.box);
+  const auto left_out = static_cast<std::int64_t>(rows.rows.size() - contacts.size());
+  if (left_out > 0 && rules.notes != nullptr)
+    rules.notes->add("near pairs without force that do not touch are no contacts, left out", rules.step,
+                     left_out);
   return contacts;
 }
 

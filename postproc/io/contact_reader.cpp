@@ -5,14 +5,35 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/contact_presets.h"
 #include "io/row_parser.h"
 
 namespace mikromakro {
 namespace {
 
+using enum ContactColumn;
+
 constexpr double unit_tolerance = 1e-5;
-constexpr ColumnSet normal_columns = column_set(ContactColumn::nx, ContactColumn::ny);
-constexpr ColumnSet derivable_columns = normal_columns | column_set(ContactColumn::overlap);
+// Six digits of the parts in the plane; nothing leaves the plane of a run in two dimensions.
+constexpr double plane_tolerance = 1e-5;
+constexpr ColumnSet normal_columns = column_set(nx, ny);
+constexpr ColumnSet derivable_columns = normal_columns | column_set(overlap);
+constexpr ColumnSet place_columns = column_set(x1, y1, x2, y2);
+constexpr ColumnSet spring_columns = column_set(xi, shearx, sheary);
+constexpr ColumnSet across_columns = column_set(z1, z2, fz, shearz, ftz);
+constexpr ColumnSet tangential_columns = column_set(ftx, fty);
+constexpr ColumnSet wall_name_columns = column_set(mesh);
+constexpr ColumnSet kept_columns = column_bit(ContactColumn::count) - 1;
+
+using Slots = std::array<double, static_cast<std::size_t>(read_count)>;
+
+double& at(Slots& slots, ContactColumn column) {
+  return slots[static_cast<std::size_t>(column)];
+}
+
+bool contains(ColumnSet set, ColumnSet columns) {
+  return (columns & ~set) == 0;
+}
 
 // LIGGGHTS gives the columns of a compute no names: c_X[1] c_X[2] ...
 bool is_our_compute(const std::vector<std::string>& columns) {
@@ -24,9 +45,14 @@ bool is_our_compute(const std::vector<std::string>& columns) {
   return true;
 }
 
-ColumnMap map_contacts(const DumpHeader& header, const std::vector<std::string>& list, const Place& place) {
-  if (!list.empty()) return map_option(list, header.columns.size(), contact_names(), place);
-  if (!is_our_compute(header.columns)) return map_header(header.columns, contact_names(), place);
+ColumnMap map_contacts(const DumpHeader& header, const ContactFormat& format, const Place& place) {
+  const ColumnNames& names = format.walls ? wall_contact_names() : contact_names();
+  const bool unnamed = format.list.empty() &&
+                       std::find(header.columns.begin(), header.columns.end(), "id1") == header.columns.end();
+  static const std::vector<std::string> preset = {"liggghts"};
+  const auto list = expand_preset(unnamed && format.walls ? preset : format.list, header, format.walls, place);
+  if (!list.empty()) return map_option(list, header.columns.size(), names, place);
+  if (format.walls || !is_our_compute(header.columns)) return map_header(header.columns, names, place);
   ColumnMap map;
   for (int slot = 0; slot < contact_disc_columns; ++slot) map.slot_of_column.push_back(slot);
   map.given = (ColumnSet{1} << static_cast<unsigned>(contact_disc_columns)) - 1;
@@ -39,18 +65,86 @@ std::string with_hint(std::string_view what, bool guessed) {
                      guessed ? " (not the columns of compute contact/disc? give --contact-columns)" : "");
 }
 
+void check_across(double across, double x, double y, std::string_view name, const Place& place) {
+  if (std::abs(across) <= plane_tolerance * (std::abs(x) + std::abs(y))) return;
+  throw bad_input(place, "the contact is not in the plane", fmt::format("{} 0", name),
+                  fmt::format("{}", across));
+}
+
+void check_plane(Slots& row, ColumnSet given, const Place& place) {
+  if (contains(given, column_set(fz))) check_across(at(row, fz), at(row, fx), at(row, fy), "fz", place);
+  if (contains(given, column_set(ftz))) check_across(at(row, ftz), at(row, ftx), at(row, fty), "ftz", place);
+  if (contains(given, column_set(shearz)))
+    check_across(at(row, shearz), at(row, shearx), at(row, sheary), "shearz", place);
+  if (contains(given, column_set(z1, z2) | place_columns))
+    check_across(at(row, z2) - at(row, z1), at(row, x2) - at(row, x1), at(row, y2) - at(row, y1), "z2 - z1",
+                 place);
+}
+
+/// Reads row by row into slots that are filled anew by each.
+class RowReader {
+ public:
+  RowReader(const DumpHeader& header, const ContactFormat& format, ColumnSet needed, const Place& place)
+      : walls_(format.walls), map_(map_contacts(header, format, place)) {
+    // The number of a wall may be left out, or is that of its mesh.
+    if (walls_) map_.given |= column_set(id2);
+    const ColumnNames& names = walls_ ? wall_contact_names() : contact_names();
+    if (!walls_ && (map_.given & wall_name_columns) != 0)
+      throw bad_input({names.option}, "meshes are walls", "their dump as --wall-contacts", "mesh");
+    require_columns(map_, required_contact_columns(needed, map_.given), names, place);
+    wall_map_ = map_;
+    const ColumnSet wanted = wanted_contact_columns(needed, map_.given);
+    keep_columns(map_, wanted);
+    keep_columns(wall_map_, wanted | place_columns);
+    if (walls_) map_ = wall_map_;
+    row_.fill(std::nan(""));
+  }
+
+  ColumnSet given() const { return map_.given & kept_columns; }
+
+  ContactRow read(std::string_view line, const Place& place) {
+    parse_row(line, map_, row_, place);
+    // Rows of walls are few, and their places tell where the wall is.
+    if (at(row_, id2) <= 0 && map_.given != wall_map_.given) parse_row(line, wall_map_, row_, place);
+    if ((map_.given & across_columns) != 0) check_plane(row_, map_.given, place);
+    if (contains(map_.given, tangential_columns)) {
+      at(row_, fx) += at(row_, ftx);
+      at(row_, fy) += at(row_, fty);
+    }
+    if (walls_) name_wall(place);
+    ContactRow row;
+    std::copy_n(row_.begin(), row.value.size(), row.value.begin());
+    return row;
+  }
+
+ private:
+  void name_wall(const Place& place) {
+    if (contains(map_.given, column_set(mesh)))
+      at(row_, id2) = first_mesh - at(row_, mesh);
+    else if (std::isnan(at(row_, id2)))
+      at(row_, id2) = first_mesh;
+    if (at(row_, id2) > 0)
+      throw bad_input(place, "the contact is not with a wall", "id2 of a wall, 0 or less, or the column mesh",
+                      fmt::format("{}", at(row_, id2)));
+  }
+
+  bool walls_;
+  ColumnMap map_, wall_map_;
+  Slots row_;
+};
+
 }  // namespace
 
 void check_contact_row(const ContactRow& row, ColumnSet given, bool guessed, const Place& place) {
-  for (const ContactColumn column : {ContactColumn::id1, ContactColumn::id2}) {
+  for (const ContactColumn column : {id1, id2}) {
     const double id = row[column];
     if (!is_integer(id))
       throw bad_input(place, with_hint("an id is no whole number", guessed), "a whole number",
                       fmt::format("{}", id));
   }
   if ((normal_columns & ~given) != 0) return;
-  const double x = row[ContactColumn::nx];
-  const double y = row[ContactColumn::ny];
+  const double x = row[nx];
+  const double y = row[ny];
   const double length = std::sqrt(x * x + y * y);
   if (!(std::abs(length - 1) <= unit_tolerance)) {
     throw bad_input(place, with_hint("the normal is no unit vector", guessed), "length 1 within 1e-5",
@@ -58,45 +152,48 @@ void check_contact_row(const ContactRow& row, ColumnSet given, bool guessed, con
   }
 }
 
-ColumnSet required_contact_columns(ColumnSet needed) {
-  return (needed & ~derivable_columns) | column_set(ContactColumn::id1, ContactColumn::id2);
+ColumnSet required_contact_columns(ColumnSet needed, ColumnSet given) {
+  const ColumnSet force = contains(given, column_set(fn, ft)) ? column_set(fx, fy) : 0;
+  return (needed & ~derivable_columns & ~force) | column_set(id1, id2);
 }
 
 ColumnSet wanted_contact_columns(ColumnSet needed, ColumnSet given) {
-  constexpr ColumnSet positions = column_set(ContactColumn::x1, ContactColumn::y1, ContactColumn::x2,
-                                             ContactColumn::y2, ContactColumn::periodic);
   if (needed == 0) return given;
-  const ColumnSet derive_from = (derivable_columns & ~given) != 0 ? positions : 0;
-  // Fields take springs where there are any, without needing them.
-  return given & (needed | derivable_columns | derive_from |
-                  column_set(ContactColumn::id1, ContactColumn::id2, ContactColumn::xi));
+  const ColumnSet derive_from = (derivable_columns & ~given) != 0 ? place_columns | column_set(periodic) : 0;
+  constexpr ColumnSet force = column_set(fx, fy, fn, ft) | tangential_columns;
+  // Fields take springs where there are any, without needing them; forces tell contacts from near pairs.
+  return given & (needed | derivable_columns | derive_from | force | spring_columns | across_columns |
+                  wall_name_columns | column_set(id1, id2, dist));
 }
 
-ContactRows read_contacts(const RowBlock& block, const std::vector<std::string>& list, ColumnSet needed) {
+ContactRows read_contacts(const RowBlock& block, const ContactFormat& format, ColumnSet needed) {
   const DumpHeader& header = block.header;
   Place place{block.file, header.line};
   if (header.of_particles())
     throw bad_input(place, "not a dump of contacts", "'ITEM: ENTRIES'", in_quotes("ITEM: " + header.label));
-  ColumnMap map = map_contacts(header, list, place);
-  require_columns(map, required_contact_columns(needed), contact_names(), place);
-  keep_columns(map, wanted_contact_columns(needed, map.given));
+  RowReader reader(header, format, needed, place);
 
   ContactRows contacts;
-  contacts.given = map.given;
+  contacts.given = reader.given();
   contacts.needed = needed;
   contacts.file = block.file;
   contacts.first_line = header.line + 1;
   contacts.rows.reserve(static_cast<std::size_t>(header.rows));
-  const bool guessed = list.empty() && is_our_compute(header.columns);
-  ContactRow row;
-  row.value.fill(std::nan(""));
+  const bool guessed = format.list.empty() && is_our_compute(header.columns);
   for (std::string_view rest = block.text; !rest.empty();) {
     ++place.line;
-    parse_row(next_line(rest), map, row.value, place);
-    check_contact_row(row, map.given, guessed, place);
-    contacts.rows.push_back(row);
+    contacts.rows.push_back(reader.read(next_line(rest), place));
+    check_contact_row(contacts.rows.back(), contacts.given, guessed, place);
   }
   return contacts;
+}
+
+void add_wall_contacts(ContactRows walls, ContactRows& contacts) {
+  contacts.pairs = contacts.rows.size();
+  contacts.wall_file = std::move(walls.file);
+  contacts.first_wall_line = walls.first_line;
+  contacts.walls_given = walls.given;
+  contacts.rows.insert(contacts.rows.end(), walls.rows.begin(), walls.rows.end());
 }
 
 }  // namespace mikromakro

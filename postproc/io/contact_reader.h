@@ -18,6 +18,8 @@ struct ContactRow {
 };
 
 /// The rows of a frame; row i stands in line first_line + i, or in lines[i] where some lines are no rows.
+/// Those of walls may stand in a file of their own, behind row `pairs`, from line first_wall_line on. Rows of
+/// walls have places where the file gives them, even if those of discs are not needed.
 struct ContactRows {
   std::vector<ContactRow> rows;
   ColumnSet given = 0;
@@ -25,11 +27,29 @@ struct ContactRows {
   std::string file;
   std::int64_t first_line = 0;
   std::vector<std::int64_t> lines = {};
+  std::string wall_file = {};
+  std::int64_t first_wall_line = 0;
+  std::size_t pairs = 0;
+  ColumnSet walls_given = 0;
 
-  bool has(ColumnSet columns) const { return (columns & ~given) == 0; }
+  bool of_wall_file(std::size_t row) const { return !wall_file.empty() && row >= pairs; }
+  ColumnSet given_in(std::size_t row) const { return of_wall_file(row) ? walls_given : given; }
+  /// What all rows have.
+  ColumnSet given_in_all() const { return wall_file.empty() ? given : given & walls_given; }
   Place place(std::size_t row) const {
+    if (of_wall_file(row))
+      return {wall_file, first_wall_line + static_cast<std::int64_t>(row - pairs)};
     return {file, lines.empty() ? first_line + static_cast<std::int64_t>(row) : lines[row]};
   }
+};
+
+/// Meshes of walls keep numbers of their own below all others: mesh 0 gets id2 = -1001, and so on.
+inline constexpr double first_mesh = -1001;
+
+/// How the columns of a dump are called (empty: as its header says), and which kind of dump it is.
+struct ContactFormat {
+  const std::vector<std::string>& list;
+  bool walls = false;
 };
 
 /// Throws where an id is no whole number, or a normal is given that is no unit vector within 1e-5 (the
@@ -37,17 +57,22 @@ struct ContactRows {
 /// message then says.
 void check_contact_row(const ContactRow& row, ColumnSet given, bool guessed, const Place& place);
 
-/// The columns without which contacts cannot be joined: normal and overlap can be derived.
-ColumnSet required_contact_columns(ColumnSet needed);
+/// The columns without which contacts cannot be joined: normal and overlap can be derived, and the force
+/// where its two components along normal and tangent are given.
+ColumnSet required_contact_columns(ColumnSet needed, ColumnSet given);
 
 /// The columns that are read of those `given`: nothing that can be left out; all of them without any wish (to
 /// copy frames).
 ColumnSet wanted_contact_columns(ColumnSet needed, ColumnSet given);
 
-/// Reads the rows of a frame. `list` are the names of --contact-columns (empty: the header's own, or the
-/// 16 columns of `compute contact/disc` where the header says c_X[1] ... c_X[16]); `needed` must be among
-/// them, except for normal and overlap, which can be derived. Columns that are not wanted are skipped,
-/// whatever they hold. Throws: missing columns, and all that check_contact_row throws.
-ContactRows read_contacts(const RowBlock& block, const std::vector<std::string>& list, ColumnSet needed);
+/// Reads the rows of a frame. The names are those of the format (none: the header's own, or the 16 columns of
+/// `compute contact/disc` where the header says c_X[1] ... c_X[16]; of walls the preset of LIGGGHTS);
+/// `needed` must be among them, except for what can be derived. Columns that are not wanted are skipped,
+/// whatever they hold. Throws: missing columns, rows that are not in a plane, and all that check_contact_row
+/// throws.
+ContactRows read_contacts(const RowBlock& block, const ContactFormat& format, ColumnSet needed);
+
+/// Adds the rows of walls, of a file of their own, to those of the discs.
+void add_wall_contacts(ContactRows walls, ContactRows& contacts);
 
 }  // namespace mikromakro

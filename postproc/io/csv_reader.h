@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/error.h"
+
 namespace mikromakro {
 
 /// A table of numbers by column names.
@@ -21,12 +23,15 @@ class CsvTable {
   bool has(std::string_view name) const;
   /// Throws when there is no such column.
   Eigen::ArrayXd column(std::string_view name) const;
+  /// Where a row (from 0) stands in the file.
+  Place row_place(Eigen::Index row) const { return {file_, row_lines_[static_cast<std::size_t>(row)]}; }
   /// Lines with '#', without it.
   const std::vector<std::string>& comments() const { return comments_; }
 
  private:
   std::string file_;
   std::int64_t names_line_ = 0;
+  std::vector<std::int64_t> row_lines_;
   std::vector<std::string> names_;
   std::vector<std::string> comments_;
   Eigen::ArrayXXd values_;

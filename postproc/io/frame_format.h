@@ -30,6 +30,7 @@ struct RawFrame {
   std::int64_t first_particle_line = 0;
   bool with_contacts = false;
   ContactRows contacts;
+  double place_error = not_given;  ///< what coordinates of discs have lost (m); nan: as their digits say
   double time = not_given;  ///< s
   std::vector<WallState> walls;
 };

@@ -4,7 +4,6 @@
 
 #include <numbers>
 
-#include "io/contact_geometry.h"
 #include "io/id_map.h"
 #include "io/mercury_frames.h"
 #include "io/run_sequence.h"
@@ -34,9 +33,13 @@ void set_masses(RawFrame& raw, double density) {
 
 std::unique_ptr<FrameFormat> open_run(const Run& run, const ColumnWishes& wishes) {
   if (!run.snapshot_files.empty()) return std::make_unique<SnapshotReader>(run.snapshot_files, wishes);
-  if (MercuryDataReader::recognises(run.particle_files.front()))
+  if (MercuryDataReader::recognises(run.particle_files.front())) {
+    if (!run.wall_files.empty())
+      throw bad_input({run.particle_files.front()}, "MercuryDPM's .fstat holds the walls",
+                      "no --wall-contacts beside it", "them");
     return std::make_unique<MercuryFrames>(run.particle_files, run.contact_files, wishes);
-  return std::make_unique<TextFrames>(run.particle_files, run.contact_files, wishes);
+  }
+  return std::make_unique<TextFrames>(run.particle_files, run.contact_files, wishes, run.wall_files);
 }
 
 std::unique_ptr<FrameFormat> format_of(const FrameSource& source) {
@@ -48,24 +51,26 @@ std::unique_ptr<FrameFormat> format_of(const FrameSource& source) {
 
 }  // namespace
 
-void join(RawFrame& raw, Frame& frame) {
+void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   const IdMap ids(raw.particles);
   check_ids(ids, raw);
   frame.step = raw.step;
   frame.box = raw.box;
   frame.contacts.clear();
-  if (raw.with_contacts) frame.contacts = join_contacts(raw.contacts, raw.particles, ids, frame.box);
+  rules.step = raw.step;
+  if (raw.with_contacts)
+    frame.contacts = join_contacts(raw.contacts, {raw.particles, ids, raw.box, raw.place_error}, rules);
   // The rows are read anew for the next frame.
   frame.particles.swap(raw.particles);
 }
 
 ColumnWishes FrameSource::wishes() const {
   const ColumnSet mass = density > 0 ? column_set(ParticleColumn::mass) : 0;
-  return {particle_columns, contact_columns, particles_needed & ~mass, contacts_needed};
+  return {particle_columns, contact_columns, particles_needed & ~mass, contacts_needed, notes, wall_columns};
 }
 
 std::vector<Run> FrameSource::runs() const {
-  std::vector<Run> all = {{particle_files, contact_files, snapshot_files}};
+  std::vector<Run> all = {{particle_files, contact_files, snapshot_files, wall_files}};
   all.insert(all.end(), further_runs.begin(), further_runs.end());
   return all;
 }
@@ -73,7 +78,7 @@ std::vector<Run> FrameSource::runs() const {
 std::vector<std::string> FrameSource::files() const {
   std::vector<std::string> all;
   for (const Run& run : runs())
-    for (const auto* files : {&run.snapshot_files, &run.particle_files, &run.contact_files})
+    for (const auto* files : {&run.snapshot_files, &run.particle_files, &run.contact_files, &run.wall_files})
       all.insert(all.end(), files->begin(), files->end());
   return all;
 }
@@ -81,6 +86,8 @@ std::vector<std::string> FrameSource::files() const {
 FrameStream::FrameStream(const FrameSource& source)
     : selection_(source.selection),
       density_(source.density),
+      distant_contacts_(source.distant_contacts),
+      notes_(source.notes),
       one_run_(source.further_runs.empty()),
       format_(format_of(source)) {}
 
@@ -100,7 +107,7 @@ bool FrameStream::next(Frame& frame) {
   if (!unpack) return false;
   unpack(raw_);
   set_masses(raw_, density_);
-  join(raw_, frame);
+  join(raw_, frame, {distant_contacts_, notes_.get()});
   frame.index = index_;
   frame.run = format_->run();
   return true;
@@ -109,15 +116,15 @@ bool FrameStream::next(Frame& frame) {
 MakeFrame FrameStream::take() {
   UnpackFrame unpack = take_raw();
   if (!unpack) return {};
-  return
-      [unpack = std::move(unpack), density = density_, index = index_, run = format_->run()](Frame& frame) {
-        RawFrame raw;
-        unpack(raw);
-        set_masses(raw, density);
-        join(raw, frame);
-        frame.index = index;
-        frame.run = run;
-      };
+  return [unpack = std::move(unpack), density = density_, index = index_, run = format_->run(),
+          distant = distant_contacts_, notes = notes_](Frame& frame) {
+    RawFrame raw;
+    unpack(raw);
+    set_masses(raw, density);
+    join(raw, frame, {distant, notes.get()});
+    frame.index = index;
+    frame.run = run;
+  };
 }
 
 }  // namespace mikromakro

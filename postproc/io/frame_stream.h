@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/contact_geometry.h"
 #include "io/frame.h"
 #include "io/frame_format.h"
 #include "io/frame_selection.h"
@@ -18,6 +19,7 @@ struct Run {
   std::vector<std::string> particle_files = {};
   std::vector<std::string> contact_files = {};
   std::vector<std::string> snapshot_files = {};
+  std::vector<std::string> wall_files = {};
 };
 
 /// What to read, and how: HDF5 snapshots, text dumps, or MercuryDPM's files, which are known by their
@@ -33,6 +35,11 @@ struct FrameSource {
   std::vector<std::string> snapshot_files = {};  ///< none: text dumps
   std::vector<Run> further_runs = {};            ///< read after the files above, which are the first run
   double density = 0;                            ///< areal (kg/m^2), > 0: for files that give no masses
+  /// What reading finds and the user must know; copies of the source share it.
+  std::shared_ptr<Notes> notes = std::make_shared<Notes>();
+  std::vector<std::string> wall_files = {};  ///< contacts with walls, beside those of discs
+  std::vector<std::string> wall_columns = {};
+  bool distant_contacts = false;  ///< forces may act between discs that do not touch
 
   ColumnWishes wishes() const;
   std::vector<Run> runs() const;
@@ -45,7 +52,7 @@ using MakeFrame = std::function<void(Frame&)>;
 
 /// Particles go over to the frame, contacts become those of particles. Throws: ids that are there twice, and
 /// all that join_contacts throws.
-void join(RawFrame& raw, Frame& frame);
+void join(RawFrame& raw, Frame& frame, ContactRules rules);
 
 /// Throws: masses where a density is given, too; ids that are there twice, and all that the formats and
 /// join_contacts throw.
@@ -69,6 +76,8 @@ class FrameStream {
 
   FrameSelection selection_;
   double density_;
+  bool distant_contacts_;
+  std::shared_ptr<Notes> notes_;
   bool one_run_;
   std::unique_ptr<FrameFormat> format_;
   RawFrame raw_;

@@ -157,7 +157,7 @@ struct SnapshotReader::Open {
                     without_option(particle_names()), {name});
     const ColumnMap contacts{{}, summary.contacts_given};
     if (wishes.contacts_needed != 0)
-      require_columns(contacts, required_contact_columns(wishes.contacts_needed),
+      require_columns(contacts, required_contact_columns(wishes.contacts_needed, summary.contacts_given),
                       without_option(contact_names()), {name});
     for (const auto& element : snapshot::elements)
       elements.push_back((element.columns() & summary.particles_given) != 0

@@ -84,6 +84,10 @@ void SnapshotWriter::resume(const std::string& name) {
   walls_.resume(file_);
 }
 
+void SnapshotWriter::copy_parameters(const Hdf5File& run) {
+  if (run.has(snapshot::parameters)) file_.copy(run, snapshot::parameters);
+}
+
 void SnapshotWriter::keep(std::uint64_t frames) {
   if (frames >= frames_) return;
   datasets_.at(step_path).grow({frames});
@@ -148,7 +152,7 @@ void SnapshotWriter::begin_element(const std::string& path, Hdf5Type type, const
 }
 
 void SnapshotWriter::begin_contacts(const RawFrame& frame, std::size_t particles) {
-  contacts_given_ = frame.contacts.given;
+  contacts_given_ = frame.contacts.given_in_all();
   constexpr std::uint64_t fewest = 1024;
   const bool checked = use_ == Use::finished;
   // The first frame of a run may have far fewer contacts than the later ones.
@@ -180,7 +184,7 @@ void SnapshotWriter::close() {
 void SnapshotWriter::check_same(const RawFrame& frame) const {
   const Place place{frame.particle_file, frame.first_particle_line - 1};
   if (storable(frame.particles_given) != particles_given_ ||
-      (frame.with_contacts ? frame.contacts.given : 0) != contacts_given_)
+      (frame.with_contacts ? frame.contacts.given_in_all() : 0) != contacts_given_)
     throw bad_input(place, "the columns change", "the columns of the first frame", "others");
   if (frame.box.periodic != periodic_)
     throw bad_input(place, "the boundaries change", "those of the first frame", "others");

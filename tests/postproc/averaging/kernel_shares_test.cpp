@@ -119,6 +119,21 @@ TEST(KernelShares, InSectorsAreTheIntegralsOfTheKernel) {
   }
 }
 
+// On the line where two sectors meet either has half of the kernel, also where the direction of the line is 0
+// or pi.
+TEST(KernelShares, OnTheLineBetweenTwoSectorsAreHalves) {
+  const SectorVolumes sectors(rings_at({0, 0}, {0.3, 0.7}), 4);
+  const std::pair<Eigen::Vector2d, int> places[] = {{{0.5, 0}, 0},  {{0.5, -0.0}, 0},  {{0, 0.5}, 1},
+                                                    {{-0.5, 0}, 2}, {{-0.5, -0.0}, 2}, {{0, -0.5}, 3}};
+  for (const std::string weight : {"gauss:0.02", "lucy:0.2", "wendland:0.2", "tophat:0.2"}) {
+    for (const auto& [place, sector] : places) {
+      auto shares = shares_of_point(sectors, weight, place);
+      expect_measured(shares[sector], 0.5, 1e-10, weight);
+      expect_measured(shares[(sector + 3) % 4], 0.5, 1e-10, weight);
+    }
+  }
+}
+
 TEST(KernelShares, InRectanglesAreTheIntegralsOfTheKernel) {
   const double width = 0.5;
   const std::vector<double> x = {-1.5, -0.4, 0.02, 0.3, 2};

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "io/error.h"
 
@@ -42,8 +44,29 @@ Box box_of_ten(bool periodic) {
 // once.
 const std::vector<Particle> two_discs = {disc(900, 1, 1, 0.5), disc(4, 1.75, 2, 1)};
 
+std::vector<Contact> join_all(const ContactRows& rows, const std::vector<Particle>& particles, const Box& box,
+                              const ContactRules& rules = {}) {
+  const IdMap ids(particles);
+  return join_contacts(rows, {particles, ids, box}, rules);
+}
+
 Contact join_one(const ContactRows& rows, const std::vector<Particle>& particles, const Box& box) {
-  return join_contacts(rows, particles, IdMap(particles), box).at(0);
+  return join_all(rows, particles, box).at(0);
+}
+
+// What join_contacts says to a row, empty where it takes it.
+std::string refusal(const std::vector<Value>& row, const std::vector<Particle>& particles = two_discs,
+                    bool periodic_box = false, bool distant = false) {
+  ContactRows rows;
+  rows.file = "c";
+  rows.first_line = 10;
+  add_row(rows, row);
+  try {
+    join_all(rows, particles, box_of_ten(periodic_box), {distant});
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
 }
 
 TEST(JoinContacts, DerivesNormalAndOverlapFromTheDiscs) {
@@ -53,14 +76,6 @@ TEST(JoinContacts, DerivesNormalAndOverlapFromTheDiscs) {
   EXPECT_DOUBLE_EQ(contact.normal[0], 0.6);
   EXPECT_DOUBLE_EQ(contact.normal[1], 0.8);
   EXPECT_DOUBLE_EQ(contact.overlap, 0.25);
-}
-
-TEST(JoinContacts, TakesPositionsOfTheRowBeforeThoseOfTheDiscs) {
-  ContactRows rows;
-  add_row(rows, {{id1, 900}, {id2, 4}, {x1, 0}, {y1, 0}, {x2, -1}, {y2, 0}});
-  const Contact contact = join_one(rows, two_discs, box_of_ten(false));
-  EXPECT_DOUBLE_EQ(contact.normal[0], -1);
-  EXPECT_DOUBLE_EQ(contact.overlap, 0.5);
 }
 
 // x = 9.5 and x = 0.25 in a box of 10 are 0.75 apart across the boundary: n = (1, 0) from the first to the
@@ -74,14 +89,133 @@ TEST(JoinContacts, TakesTheNearestImageWhereTheBoxIsPeriodic) {
   EXPECT_DOUBLE_EQ(contact.overlap, 0.25);
 }
 
+// Stock LIGGGHTS wraps the places of a row through the boundary: x = 9.5 and 0.25 as above. Without the flag
+// they are meant as they stand: 9.25 apart, which is no contact.
 TEST(JoinContacts, StockRowsMarkedPeriodicHaveWrappedPositions) {
   const std::vector<Particle> discs = {disc(1, 9.5, 5, 0.5), disc(2, 0.25, 5, 0.5)};
   for (const double flag : {0.0, 1.0}) {
     ContactRows rows;
     add_row(rows, {{id1, 1}, {id2, 2}, {x1, 9.5}, {y1, 5}, {x2, 0.25}, {y2, 5}, {periodic, flag}});
-    // Without the flag the positions are meant as they stand: 9.25 apart, normal backwards.
-    EXPECT_DOUBLE_EQ(join_one(rows, discs, box_of_ten(true)).normal[0], flag == 1 ? 1 : -1);
+    const auto contacts = join_all(rows, discs, box_of_ten(true));
+    ASSERT_EQ(contacts.size(), flag == 1 ? 1U : 0U);
+    if (flag == 1) EXPECT_DOUBLE_EQ(contacts[0].normal[0], 1);
   }
+}
+
+// Discs of radius 2.9 at 1 and 5.5 in a box of 10 touch directly, 4.5 apart, and through the boundary, 5.5
+// apart: overlaps 1.3 and 0.3.
+TEST(JoinContacts, InANarrowBoxTheRowSaysWhichImageTouches) {
+  const std::vector<Particle> discs = {disc(1, 1, 5, 2.9), disc(2, 5.5, 5, 2.9)};
+  const std::vector<Value> places = {{id1, 1}, {id2, 2}, {x1, 1}, {y1, 5}, {x2, 5.5}, {y2, 5}};
+  for (const double flag : {0.0, 1.0}) {
+    auto row = places;
+    row.push_back({periodic, flag});
+    ContactRows rows;
+    add_row(rows, row);
+    const Contact contact = join_one(rows, discs, box_of_ten(true));
+    EXPECT_DOUBLE_EQ(contact.normal[0], flag == 1 ? -1 : 1);
+    EXPECT_NEAR(contact.overlap, flag == 1 ? 0.3 : 1.3, 1e-15);
+  }
+  EXPECT_NE(refusal({{id1, 1}, {id2, 2}}, discs, true).find("touch through two images"), std::string::npos);
+  EXPECT_EQ(refusal({{id1, 1}, {id2, 2}}, discs, false), "");
+}
+
+TEST(JoinContacts, PlacesOfARowAreThoseOfItsDiscsOrTheirImages) {
+  const std::vector<Value> right = {{id1, 900}, {id2, 4}, {x1, 1}, {y1, 1}, {x2, 1.75}, {y2, 2}};
+  EXPECT_EQ(refusal(right), "");
+  auto images = right;
+  images[2].value = 11;
+  images[4].value = 11.75;
+  EXPECT_EQ(refusal(images, two_discs, true), "");
+  EXPECT_NE(refusal(images, two_discs, false), "");
+  for (const std::size_t place : {2U, 3U, 4U, 5U}) {
+    auto moved = right;
+    moved[place].value += 1e-4;  // six digits of 2 are 5e-6
+    EXPECT_NE(refusal(moved).find("c:10: disc " + std::to_string(place < 4 ? 900 : 4) +
+                                  " is not where the row says"),
+              std::string::npos)
+        << refusal(moved);
+    moved[place].value += 1e-6 - 1e-4;
+    EXPECT_EQ(refusal(moved), "") << place;
+  }
+}
+
+// One disc displaced by a fifth of the smaller radius in one of the two dumps, along the contact and across it.
+TEST(JoinContacts, SeesADiscThatIsElsewhereInOneOfTheDumps) {
+  const std::vector<Value> geometry = {{id1, 900}, {id2, 4}, {nx, 0.6}, {ny, 0.8}, {overlap, 0.25}};
+  EXPECT_EQ(refusal(geometry), "");
+  for (const Eigen::Vector2d& shift : {Eigen::Vector2d(0.06, 0.08), Eigen::Vector2d(-0.08, 0.06)}) {
+    auto discs = two_discs;
+    discs[1].position += shift;
+    EXPECT_NE(refusal(geometry, discs).find("is not that of discs 900 and 4"), std::string::npos);
+  }
+}
+
+TEST(JoinContacts, NormalOverlapAndDistanceAreThoseOfTheDiscs) {
+  EXPECT_NE(refusal({{id1, 900}, {id2, 4}, {nx, -0.6}, {ny, -0.8}}).find("nx ny = 0.6 0.8"), std::string::npos);
+  EXPECT_NE(refusal({{id1, 900}, {id2, 4}, {overlap, 0.251}}).find("overlap is not"), std::string::npos);
+  EXPECT_NE(refusal({{id1, 900}, {id2, 4}, {overlap, -1e308}}).find("overlap is not"), std::string::npos);
+  EXPECT_NE(refusal({{id1, 900}, {id2, 4}, {dist, 1.251}}).find("dist is not"), std::string::npos);
+  EXPECT_EQ(refusal({{id1, 900}, {id2, 4}, {dist, 1.25}}), "");
+  ContactRows rows;
+  add_row(rows, {{id1, 900}, {id2, 4}, {dist, 1.250001}});  // within six digits: taken as it is told
+  EXPECT_NEAR(join_one(rows, two_discs, box_of_ten(false)).overlap, 0.249999, 1e-15);
+}
+
+// Two discs of radius 0.5 whose centres are 1.05 apart.
+TEST(JoinContacts, DiscsThatDoNotTouchAreNoContactUnlessTheUserSaysSo) {
+  const std::vector<Particle> apart = {disc(1, 0, 0, 0.5), disc(2, 1.05, 0, 0.5)};
+  ContactRows rows;
+  add_row(rows, {{id1, 1}, {id2, 2}, {fx, 0}, {fy, 0}});
+  Notes notes;
+  EXPECT_TRUE(join_all(rows, apart, box_of_ten(false), {false, &notes, 7}).empty());
+  EXPECT_TRUE(join_all(rows, apart, box_of_ten(false), {true, &notes, 7}).empty());
+  ASSERT_EQ(notes.lines().size(), 1U);
+  EXPECT_NE(notes.lines()[0].find("left out (step 7)"), std::string::npos) << notes.lines()[0];
+  const std::vector<Value> pulled = {{id1, 1}, {id2, 2}, {fx, 3}, {fy, 0}};
+  EXPECT_NE(refusal(pulled, apart).find("--distant-contacts"), std::string::npos);
+  EXPECT_EQ(refusal(pulled, apart, false, true), "");
+  // A touch without force (a dashpot that pulls, cut off) is a contact.
+  ContactRows touching;
+  add_row(touching, {{id1, 900}, {id2, 4}, {fx, 0}, {fy, 0}});
+  EXPECT_EQ(join_all(touching, two_discs, box_of_ten(false)).size(), 1U);
+}
+
+TEST(JoinContacts, PeriodicIsAFlagOfAPeriodicBox) {
+  const std::vector<Value> row = {{id1, 900}, {id2, 4}, {periodic, 1}};
+  EXPECT_NE(refusal(row).find("a periodic box in the dump of particles"), std::string::npos);
+  EXPECT_NE(refusal({{id1, 900}, {id2, 4}, {periodic, 2}}, two_discs, true).find("0 or 1"), std::string::npos);
+}
+
+// n = (0.6, 0.8), t = (-0.8, 0.6): f = -10 n + 1 t; shear = 3e-6 t + 1e-6 n.
+TEST(JoinContacts, TakesForceAndSpringFromWhatIsGiven) {
+  ContactRows rows;
+  add_row(rows, {{id1, 900}, {id2, 4}, {fn, 10}, {ft, 1}, {shearx, -1.8e-6}, {sheary, 2.6e-6}});
+  const Contact contact = join_one(rows, two_discs, box_of_ten(false));
+  EXPECT_NEAR(contact.force[0], -6.8, 1e-14);
+  EXPECT_NEAR(contact.force[1], -7.4, 1e-14);
+  EXPECT_NEAR(contact.spring, 3e-6, 1e-20);
+}
+
+TEST(JoinContacts, ADiscAtAWallIsWhereTheRowSays) {
+  const std::vector<Value> right = {{id1, 900}, {id2, -1}, {x1, 1}, {y1, 1}, {x2, 0.7}, {y2, 1}, {nx, -1}, {ny, 0},
+                                    {overlap, 0.2}};
+  EXPECT_EQ(refusal(right), "");
+  for (const auto& [index, value] : {std::pair{2U, 1.1}, {4U, 0.8}, {6U, 1.0}, {8U, 0.3}}) {
+    auto wrong = right;
+    wrong[index].value = value;
+    EXPECT_NE(refusal(wrong), "") << index;
+  }
+}
+
+// A disc in the corner of a mesh touches two of its sides.
+TEST(JoinContacts, ADiscMayTouchAMeshAtSeveralSides) {
+  ContactRows rows;
+  add_row(rows, {{id1, 900}, {id2, first_mesh}, {x1, 1}, {y1, 1}, {x2, 0.7}, {y2, 1}});
+  add_row(rows, {{id1, 900}, {id2, first_mesh}, {x1, 1}, {y1, 1}, {x2, 1}, {y2, 0.7}});
+  EXPECT_EQ(join_all(rows, two_discs, box_of_ten(false)).size(), 2U);
+  rows.rows[1] = rows.rows[0];
+  EXPECT_THROW(join_all(rows, two_discs, box_of_ten(false)), Error);
 }
 
 TEST(JoinContacts, WallContactsGoToTheContactPoint) {
@@ -100,16 +234,16 @@ TEST(JoinContacts, APairMayTouchThroughTwoImagesOfASmallBox) {
   ContactRows rows;
   add_row(rows, {{id1, 1}, {id2, 2}, {nx, 1}, {ny, 0}, {overlap, 0.2}});
   add_row(rows, {{id1, 2}, {id2, 1}, {nx, 1}, {ny, 0}, {overlap, 0.2}});  // disc 1's image is right of disc 2
-  EXPECT_EQ(join_contacts(rows, discs, IdMap(discs), box_of_ten(true)).size(), 2U);
-  EXPECT_THROW(join_contacts(rows, discs, IdMap(discs), box_of_ten(false)), Error);
+  EXPECT_EQ(join_all(rows, discs, box_of_ten(true)).size(), 2U);
+  EXPECT_THROW(join_all(rows, discs, box_of_ten(false)), Error);
 }
 
 TEST(JoinContacts, TheSamePairInBothOrdersIsListedTwice) {
   ContactRows rows;
   add_row(rows, {{id1, 900}, {id2, 4}});
   add_row(rows, {{id1, 4}, {id2, 900}});
-  EXPECT_THROW(join_contacts(rows, two_discs, IdMap(two_discs), box_of_ten(false)), Error);
-  EXPECT_THROW(join_contacts(rows, two_discs, IdMap(two_discs), box_of_ten(true)), Error);
+  EXPECT_THROW(join_all(rows, two_discs, box_of_ten(false)), Error);
+  EXPECT_THROW(join_all(rows, two_discs, box_of_ten(true)), Error);
 }
 
 TEST(IdMap, FindsIdsThatAreDenseOrFarApart) {

@@ -1,0 +1,64 @@
+// A restart file of a run under another law: its springs are not ours.
+#include <cstring>
+
+#include "arguments.h"
+#include "first_rank.h"
+#include "modify.h"
+#include "pair_gran_disc.h"
+
+namespace mikromakro::styles {
+
+using LAMMPS_NS::Modify;
+
+namespace {
+
+// See engine_access.cpp for the way to private members.
+template <class Tag, typename Tag::Type Member>
+struct Grant {
+  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
+};
+struct GlobalIds {
+  using Type = char** Modify::*;
+  friend Type member(GlobalIds tag);
+};
+struct GlobalStates {
+  using Type = char** Modify::*;
+  friend Type member(GlobalStates tag);
+};
+struct AtomIds {
+  using Type = char** Modify::*;
+  friend Type member(AtomIds tag);
+};
+template struct Grant<GlobalIds, &Modify::id_restart_global>;
+template struct Grant<GlobalStates, &Modify::state_restart_global>;
+template struct Grant<AtomIds, &Modify::id_restart_peratom>;
+
+const char* const springs_id = "contacthistory";
+
+/// No fix will find them under this name.
+void leave_aside(char* id) {
+  *id = '-';
+}
+
+}  // namespace
+
+/// The engine would end the run with a line of its own; how many numbers a spring has it keeps in the file.
+void PairGranDisc::leave_foreign_springs() {
+  if (!effects().spring()) return;
+  Modify& engine = *modify;
+  for (int k = 0; k < engine.nfix_restart_global; ++k) {
+    char* id = (engine.*member(GlobalIds{}))[k];
+    double numbers = 0;
+    std::memcpy(&numbers, (engine.*member(GlobalStates{}))[k], sizeof numbers);
+    if (std::strcmp(id, springs_id) != 0 || numbers == history_size) continue;
+    leave_aside(id);
+    for (int m = 0; m < engine.nfix_restart_peratom; ++m) {
+      char* of_atoms = (engine.*member(AtomIds{}))[m];
+      if (std::strcmp(of_atoms, springs_id) == 0) leave_aside(of_atoms);
+    }
+    tell(*DiscLaw::lmp, "WARNING: " + style() + ": the restart file holds springs of another law, " +
+                            text_of(numbers) + " numbers each: they are left out, and springs begin at zero");
+  }
+}
+
+}  // namespace mikromakro::styles

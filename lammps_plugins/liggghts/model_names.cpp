@@ -1,0 +1,127 @@
+#include "model_names.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arguments.h"
+#include "contact_models.h"
+#include "force.h"
+#include "granular_pair_style.h"
+#include "granular_wall.h"
+
+namespace mikromakro::styles {
+
+using LAMMPS_NS::Custom_contact_models;
+using LAMMPS_NS::LAMMPS;
+namespace models = LIGGGHTS::ContactModels;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// What may stand beside a model of discs, and how error lines say so.
+struct Choice {
+  Words names;
+  std::string text;
+};
+const std::map<std::string, Choice> choices = {
+    {"model", {{"disc/linear", "disc/hertz"}, "disc/linear or disc/hertz"}},
+    {"tangential",
+     {{"off", "disc/viscous", "disc/cundall_strack"}, "off, disc/viscous or disc/cundall_strack"}},
+    {"cohesion", {{"off"}, "off"}},
+    {"rolling_friction", {{"off"}, "off"}},
+    {"surface", {{"default"}, "default"}}};
+
+/// Also where it is mistyped.
+bool names_discs(const std::string& word) {
+  return word.starts_with("disc/") ||
+         !did_you_mean(word, choices.at("model").text + " " + choices.at("tangential").text).empty();
+}
+
+/// Kinds of models and their names, with which the arguments begin.
+std::vector<std::pair<std::string, std::string>> models_in(const Words& words) {
+  std::vector<std::pair<std::string, std::string>> named;
+  for (std::size_t k = 0; k + 1 < words.size() && choices.contains(words[k]); k += 2)
+    named.emplace_back(words[k], words[k + 1]);
+  return named;
+}
+
+bool any_of_discs(const Words& words) {
+  const auto named = models_in(words);
+  return std::any_of(named.begin(), named.end(), [](const auto& model) { return names_discs(model.second); });
+}
+
+std::string fault_of(const Words& words) {
+  if (!any_of_discs(words)) return "";
+  if (words.front() != "model") return "expected 'model disc/linear' or 'model disc/hertz' first";
+  for (const auto& [kind, name] : models_in(words)) {
+    const Choice& choice = choices.at(kind);
+    if (std::find(choice.names.begin(), choice.names.end(), name) == choice.names.end())
+      return kind + ": expected " + choice.text + " with a model of discs, got '" + name + "'" +
+             did_you_mean(name, choice.text);
+  }
+  return "";
+}
+
+/// Stands for a combination that does not exist; no model has these numbers.
+const int64_t faulty = LIGGGHTS::Utils::generate_gran_hashcode(63, 63, 63, 63, 63);
+/// What is wrong with it: the engine asks for the model right after its number.
+std::string fault;
+
+int64_t select_pair_models(int& count, char**& words, Custom_contact_models custom) {
+  fault = fault_of({words, words + count});
+  return fault.empty() ? models::Factory::select(count, words, std::move(custom)) : faulty;
+}
+
+int64_t select_wall_models(int& count, char**& words, Custom_contact_models custom) {
+  const bool ours = any_of_discs({words, words + count});
+  return ours ? faulty : models::Factory::select(count, words, std::move(custom));
+}
+
+LIGGGHTS::PairStyles::IGranularPairStyle* refuse_pair(LAMMPS* engine, LAMMPS_NS::PairGran* /*parent*/,
+                                                      int64_t /*hash*/) {
+  stop(*engine, "pair_style gran", fault);
+}
+
+LIGGGHTS::Walls::IGranularWall* refuse_wall(LAMMPS* engine, LAMMPS_NS::FixWallGran* /*parent*/,
+                                            int64_t /*hash*/) {
+  stop(*engine, "fix wall/gran",
+       "it has no walls for the models of discs; expected 'fix ID group wall/disc type T plane NX NY OFFSET' "
+       "or "
+       "'... circle X Y R inside/outside'");
+}
+
+// The tables of the engine's factories are private, and say so on the screen where an entry is replaced by
+// the function meant for it; see engine_access.cpp for the way in.
+template <class Interface>
+struct Selectors {
+  using Selector = int64_t (*)(int&, char**&, Custom_contact_models);
+  using Type = std::map<std::string, Selector> LIGGGHTS::Utils::AbstractFactory<Interface>::*;
+  friend Type member(Selectors tag);
+};
+template <class Tag, typename Tag::Type Member>
+struct Grant {
+  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
+};
+using PairSelectors = Selectors<LIGGGHTS::PairStyles::IGranularPairStyle>;
+using WallSelectors = Selectors<LIGGGHTS::Walls::IGranularWall>;
+template struct Grant<PairSelectors, &LIGGGHTS::Utils::AbstractFactory<
+                                         LIGGGHTS::PairStyles::IGranularPairStyle>::variantSelectorTable>;
+template struct Grant<
+    WallSelectors, &LIGGGHTS::Utils::AbstractFactory<LIGGGHTS::Walls::IGranularWall>::variantSelectorTable>;
+
+}  // namespace
+
+void watch_model_names() {
+  auto& pairs = LIGGGHTS::PairStyles::Factory::instance();
+  auto& walls = LIGGGHTS::Walls::Factory::instance();
+  (pairs.*member(PairSelectors{}))["gran"] = select_pair_models;
+  (walls.*member(WallSelectors{}))["gran"] = select_wall_models;
+  pairs.addStyle("gran", static_cast<int>(faulty), refuse_pair);
+  walls.addStyle("gran", static_cast<int>(faulty), refuse_wall);
+}
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,120 @@
+#include "disc_check.h"
+
+#include <mpi.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "arguments.h"
+#include "atom.h"
+#include "comm.h"
+#include "engine_access.h"
+#include "error.h"
+#include "fix.h"
+#include "fix_nve_disc.h"
+#include "lammps.h"
+#include "modify.h"
+
+namespace mikromakro::styles {
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+constexpr int none = std::numeric_limits<int>::max();
+
+/// The smallest id, over all ranks, of the discs for which a condition holds.
+template <class Condition>
+int first_disc(const LAMMPS& engine, Condition holds) {
+  const Atom& atom = *engine.atom;
+  int first = none;
+  for (int i = 0; i < atom.nlocal; ++i) {
+    if (holds(i)) first = std::min(first, static_cast<int>(atom.tag[i]));
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, engine.world);
+  return first;
+}
+
+void check_positive(LAMMPS& engine, const std::string& style, const std::string& what, const double* values) {
+  const int disc =
+      first_disc(engine, [values](int i) { return !(values[i] > 0 && std::isfinite(values[i])); });
+  if (disc == none) return;
+  stop(engine, style,
+       "disc " + std::to_string(disc) + ": expected a " + what +
+           " above 0; 'set ... diameter' and a density give it");
+}
+
+/// Both would move it in each step.
+void check_integrators(LAMMPS& engine, const std::string& style) {
+  const Modify& modify = *engine.modify;
+  for (int k = 0; k < modify.nfix; ++k) {
+    const Fix& own = *modify.fix[k];
+    if (!dynamic_cast<const FixNveDisc*>(&own)) continue;
+    for (int m = 0; m < modify.nfix; ++m) {
+      const Fix& other = *modify.fix[m];
+      if (m == k || !other.time_integrate) continue;
+      const int* mask = engine.atom->mask;
+      const int disc = first_disc(
+          engine, [&](int i) { return (mask[i] & own.groupbit) != 0 && (mask[i] & other.groupbit) != 0; });
+      if (disc == none) continue;
+      stop(engine, style,
+           "disc " + std::to_string(disc) + " is integrated twice, by fix " + own.id + " (" + own.style +
+               ") and by fix " + other.id + " (" + other.style +
+               "); expected it in the group of one of them");
+    }
+  }
+}
+
+/// Smallest and largest radius, m/r^2 and m/r^3 of the discs of one type.
+struct Spread {
+  std::array<double, 3> least, largest;
+  double relative(int k) const { return 1 - least[k] / largest[k]; }
+};
+
+Spread spread_of(const LAMMPS& engine, int type) {
+  const Atom& atom = *engine.atom;
+  std::array<double, 6> ends;
+  ends.fill(-std::numeric_limits<double>::infinity());
+  for (int i = 0; i < atom.nlocal; ++i) {
+    if (atom.type[i] != type) continue;
+    const double r = atom.radius[i], m = atom.rmass[i];
+    const std::array<double, 3> values = {r, m / (r * r), m / (r * r * r)};
+    for (int k = 0; k < 3; ++k) {
+      ends[k] = std::max(ends[k], -values[k]);
+      ends[k + 3] = std::max(ends[k + 3], values[k]);
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, ends.data(), 6, MPI_DOUBLE, MPI_MAX, engine.world);
+  return {{-ends[0], -ends[1], -ends[2]}, {ends[3], ends[4], ends[5]}};
+}
+
+/// Masses that go with the cube of the radius; with one radius only, nothing can be known.
+void warn_of_spheres(LAMMPS& engine, const std::string& style) {
+  constexpr double clear = 1e-3, rounding = 1e-6;
+  for (int type = 1; type <= engine.atom->ntypes; ++type) {
+    const Spread spread = spread_of(engine, type);
+    if (!(spread.relative(0) > clear && spread.relative(1) > rounding && spread.relative(2) < rounding))
+      continue;
+    if (engine.comm->me != 0) return;
+    const std::string text =
+        style + ": the masses of type " + std::to_string(type) +
+        " go with the cube of the radius, as those of spheres; expected m = rho h pi a^2, with "
+        "an areal density by '" +
+        set_density + "'";
+    engine.error->warning(FLERR, text.c_str());
+    return;
+  }
+}
+
+}  // namespace
+
+void check_discs(LAMMPS& engine, const std::string& style) {
+  check_positive(engine, style, "radius", engine.atom->radius);
+  check_positive(engine, style, "mass", engine.atom->rmass);
+  check_integrators(engine, style);
+  warn_of_spheres(engine, style);
+}
+
+}  // namespace mikromakro::styles

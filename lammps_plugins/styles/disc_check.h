@@ -1,0 +1,16 @@
+// What is looked at once for all discs, at the start of a run.
+#pragma once
+
+#include <string>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace mikromakro::styles {
+
+/// Ends the run where a disc has no radius or no mass, or where a second fix integrates a disc of fix
+/// nve/disc; warns of masses that are those of spheres. `style` is who asks.
+void check_discs(LAMMPS_NS::LAMMPS& engine, const std::string& style);
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,44 @@
+// What fixes with smooth walls have in common: the springs of the discs at them go with the atoms, to other
+// ranks and into restart files.
+#pragma once
+
+#include <vector>
+
+#include "dialect.h"
+#include "smooth_walls.h"
+
+namespace mikromakro::styles {
+
+class FixWithWalls : public FixWithClock, public WallContactSource {
+ public:
+  ~FixWithWalls() override;
+  FixWithWalls(const FixWithWalls&) = delete;
+  FixWithWalls& operator=(const FixWithWalls&) = delete;
+
+  double memory_usage() override { return walls_.memory_usage(); }
+  void grow_arrays(int nmax) override { walls_.grow(nmax); }
+  void copy_arrays(int from, int to, int /*delflag*/) override { walls_.copy(from, to); }
+  void set_arrays(int i) override { walls_.clear(i); }
+  int pack_exchange(int i, double* buffer) override { return walls_.pack(i, buffer); }
+  int unpack_exchange(int i, double* buffer) override { return walls_.unpack(i, buffer); }
+
+  int pack_restart(int i, double* buffer) override;
+  void unpack_restart(int nlocal, int nth) override;
+  int size_restart(int i) override { return 1 + walls_.packed_size(i); }
+  int maxsize_restart() override { return 1 + walls_.largest_packed_size(); }
+
+  bool append_wall_contacts(int group_bit, std::vector<ContactRow>& rows) const override {
+    return walls_.append_contacts(group_bit, rows);
+  }
+  std::vector<WallKind> wall_kinds() const override { return walls_.kinds(); }
+
+ protected:
+  /// Ends the run where discs cannot touch walls: three dimensions, or atoms that do not turn.
+  FixWithWalls(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
+  /// Once the walls are added.
+  void keep_springs_with_atoms();
+
+  SmoothWalls walls_;
+};
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,17 @@
+#include "app/warnings.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace mikromakro {
+
+void tell(const Notes& notes) {
+  for (const std::string& line : notes.lines()) fmt::print(stderr, "mikromakro: warning: {}\n", line);
+}
+
+void describe_notes(const Notes& notes, Preamble& lines) {
+  for (std::string& line : notes.lines()) lines.emplace_back("warning", std::move(line));
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,72 @@
+#include "io/contact_pairs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+namespace mikromakro {
+namespace {
+
+// Two rows of a pair are different images, or different sides of a mesh, when their normals differ by more
+// than rounding and output formats do.
+constexpr double same_normal = 1e-3;
+
+// The normal of a pair as seen from its lower id, so that both orders of a pair compare.
+std::pair<std::int64_t, std::int64_t> pair_of(const Contact& contact) {
+  return std::minmax(contact.id1, contact.id2);
+}
+Eigen::Vector2d ordered_normal(const Contact& contact) {
+  return contact.id1 < contact.id2 ? contact.normal : Eigen::Vector2d(-contact.normal);
+}
+
+// Whether a disc touches itself or a pair is there twice, in one pass over a table of hashes.
+bool all_pairs_differ(const std::vector<Contact>& contacts) {
+  const std::size_t places = std::bit_ceil(4 * contacts.size() + 1);
+  std::vector<int> table(places, -1);
+  for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
+    const auto pair = pair_of(contacts[static_cast<std::size_t>(i)]);
+    if (pair.first == pair.second) return false;
+    constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U;
+    std::uint64_t hash =
+        (static_cast<std::uint64_t>(pair.first) * odd + static_cast<std::uint64_t>(pair.second)) * odd;
+    hash ^= hash >> 32U;
+    std::size_t place = hash & (places - 1);
+    for (; table[place] >= 0; place = (place + 1) & (places - 1))
+      if (pair_of(contacts[static_cast<std::size_t>(table[place])]) == pair) return false;
+    table[place] = i;
+  }
+  return true;
+}
+
+}  // namespace
+
+void check_pairs(const std::vector<Contact>& contacts, const std::vector<std::size_t>& row_of,
+                 const ContactRows& rows, const Box& box) {
+  if (all_pairs_differ(contacts)) return;
+  const bool periodic = box.periodic[0] || box.periodic[1];
+  std::vector<std::size_t> order(contacts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return pair_of(contacts[a]) < pair_of(contacts[b]); });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Contact& contact = contacts[order[i]];
+    if (contact.id1 == contact.id2 && !periodic)
+      throw bad_input(rows.place(row_of[order[i]]), "a disc in contact with itself", "two ids",
+                      fmt::format("twice {}", contact.id1));
+    for (std::size_t j = i; j-- > 0 && pair_of(contacts[order[j]]) == pair_of(contact);) {
+      const bool may_be_twice = periodic || contact.id2 <= static_cast<std::int64_t>(first_mesh);
+      const bool other_image =
+          may_be_twice && (ordered_normal(contacts[order[j]]) - ordered_normal(contact)).norm() > same_normal;
+      if (other_image) continue;
+      throw bad_input(
+          rows.place(row_of[order[i]]), "contact listed twice", "each pair once per frame",
+          fmt::format("{} {} as in line {}", contact.id1, contact.id2, rows.place(row_of[order[j]]).line));
+    }
+  }
+}
+
+}  // namespace mikromakro

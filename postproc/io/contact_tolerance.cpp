@@ -1,0 +1,65 @@
+#include "io/contact_tolerance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/printed_digits.h"
+
+namespace mikromakro {
+namespace {
+
+using enum ContactColumn;
+
+constexpr double largest_part_of_radius = 0.05;
+// Sums and differences of coordinates, and lengths of the box that are added to them.
+constexpr double arithmetic = 1e-14;
+// Normals must have length 1 within this, and radii are inputs, often short ones.
+constexpr double six_digits = 5e-6;
+
+template <typename Rows, typename Add>
+void sample(const Rows& rows, Add add) {
+  const std::size_t stride = std::max<std::size_t>(1, rows.size() / PrintedDigits::enough);
+  for (std::size_t i = 0; i < rows.size(); i += stride) add(rows[i]);
+}
+
+}  // namespace
+
+ContactTolerance::ContactTolerance(const ContactRows& rows, const std::vector<Particle>& particles,
+                                   double place_error) {
+  PrintedDigits places, radii, row_places, normals, overlaps;
+  sample(particles, [&](const Particle& disc) {
+    places.add(disc.position.x());
+    places.add(disc.position.y());
+    radii.add(disc.radius);
+  });
+  sample(rows.rows, [&](const ContactRow& row) {
+    for (const ContactColumn column : {x1, y1, x2, y2}) row_places.add(row[column]);
+    for (const ContactColumn column : {nx, ny}) normals.add(row[column]);
+    overlaps.add(row[overlap]);
+    overlaps.add(row[dist]);
+  });
+  double size = 0, radius = 0;
+  for (const Particle& disc : particles) {
+    size = std::max({size, std::abs(disc.position.x()), std::abs(disc.position.y())});
+    radius = std::max(radius, disc.radius);
+  }
+  size += radius;
+  disc_place_ = std::isnan(place_error) ? places.rounding(size) : place_error;
+  row_place_ = row_places.rounding(size);
+  normal_ = std::min(normals.rounding(1), six_digits);
+  overlap_ = overlaps.rounding(1);
+  disc_place_ += arithmetic * size;
+  distance_ = 3 * disc_place_ + 2 * std::min(radii.rounding(radius), six_digits * radius);
+}
+
+double ContactTolerance::of_place(double radius) const {
+  return std::min(disc_place_ + row_place_, largest_part_of_radius * radius);
+}
+
+double ContactTolerance::of_geometry(double smaller_radius, double reach, double told, bool by_row) const {
+  const double rounding = distance_ + (by_row ? 3 * row_place_ : 0) + normal_ * reach +
+                          (std::isnan(told) ? 0 : overlap_ * std::abs(told));
+  return std::min(rounding, largest_part_of_radius * smaller_radius);
+}
+
+}  // namespace mikromakro

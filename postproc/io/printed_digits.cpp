@@ -1,0 +1,28 @@
+#include "io/printed_digits.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace mikromakro {
+
+void PrintedDigits::add(double number) {
+  if (number == 0 || !std::isfinite(number)) return;
+  ++count_;
+  // The shortest text that is this number: d.ddde+dd.
+  std::array<char, 32> text{};
+  const auto [end, code] =
+      std::to_chars(text.data(), text.data() + text.size(), std::abs(number), std::chars_format::scientific);
+  const auto mantissa = static_cast<int>(std::find(text.data(), end, 'e') - text.data());
+  digits_ = std::max(digits_, mantissa > 1 ? mantissa - 1 : 1);
+}
+
+double PrintedDigits::rounding(double size) const {
+  if (size == 0) return 0;
+  const int digits = count_ < few ? std::max(digits_, least) : digits_;
+  return 0.5 * std::pow(10.0, std::floor(std::log10(std::abs(size))) + 1 - digits);
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,26 @@
+// How exactly a file tells its numbers: read off the numbers themselves, whatever kind of file they came from.
+#pragma once
+
+namespace mikromakro {
+
+/// The digits that a column was printed with, seen in some of its numbers: the most that one of them has. Few
+/// numbers may all end in zeros by chance, or be written by hand: then at least the six digits that the
+/// engines' %g keeps.
+class PrintedDigits {
+ public:
+  /// How many numbers are enough.
+  static constexpr int enough = 24;
+
+  void add(double number);
+  /// What a number of this size may have lost: half a unit of its last digit.
+  double rounding(double size) const;
+
+ private:
+  static constexpr int few = 16;
+  static constexpr int least = 6;
+
+  int count_ = 0;
+  int digits_ = 1;
+};
+
+}  // namespace mikromakro
