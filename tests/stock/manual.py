@@ -13,8 +13,8 @@ one rank and on two. Each row runs as a script of some hundred steps in which 20
 - **told**: the script goes on, and the line that is quoted says what will not be as expected.
 - -: the engine has no such style or command, or not in two dimensions.
 
-{count} rows. A fix or command that is not among them is not known to be harmful: discs of a step in which anybody may act are put into the engine's
-arrays, and it acts on them as on those of any other law.
+{count} rows. What is not among them is not known to be harmless: in steps in which anybody may act, discs lie in the engine's arrays as under any other
+law. LIGGGHTS itself refuses discs in two dimensions, or crashes, in `fix insert/*`, `fix particletemplate/*`, `fix spring/rg` and walls of meshes.
 
 | lines | LIGGGHTS | LAMMPS | |
 | --- | --- | --- | --- |

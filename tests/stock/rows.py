@@ -1,7 +1,7 @@
 """The table of stock fixes and commands, read from rows.txt.
 
 A row begins with '== NAME'. Its lines are those of a script; '{out}' in them is the beginning of names of files, whose
-'.txt' ones are compared as well; '{law}', '{integrate}', '{start}' stand for the lines of scripts.py. A line that begins
+'.txt' ones are compared as well; other words in braces stand for lines of scripts.py. A line that begins
 with 'liggghts:' or 'lammps:' is meant for one engine; one with 'disc:' for the disc law only, beside which the stock law has
 no such style. Lines that begin with '@' are about the row:
 

@@ -9,13 +9,9 @@ LOW, HIGH = -0.04, 0.06
 CONSTANTS = {"kn": 352.1, "gamman_abs": 0.19, "kt": 281.68, "gammat_abs": 0.15, "coefficientFriction": 0.44}
 TYPES = 3
 
-# What rows read: a disc, and a floor of two triangles.
-FILES = {
-    "one.mol": "a disc\n\n1 atoms\n\nCoords\n\n1 0 0 0\n\nTypes\n\n1 1\n\nDiameters\n\n1 0.009\n\nMasses\n\n1 4e-4\n",
-    "floor.stl": "solid floor\n" + "".join(
-        "facet normal 0 1 0\nouter loop\n" + "".join(f"vertex {x} -0.022 {z}\n" for x, z in corners) +
-        "endloop\nendfacet\n" for corners in (((-0.026, -0.004), (0.026, -0.004), (0.026, 0.004)), ((-0.026, -0.004), (0.026, 0.004), (-0.026, 0.004)))
-    ) + "endsolid floor\n"}
+# What rows read.
+DISC = "a disc\n\n1 atoms\n\nCoords\n\n1 0 0 0\n\nTypes\n\n1 1\n\nDiameters\n\n1 {}\n\nMasses\n\n1 4e-4\n"
+FILES = {"one.mol": DISC.format(0.009), "large.mol": DISC.format(0.016)}
 
 
 class Variant:
@@ -132,7 +128,8 @@ def with_runs(row, variant):
 def of_row(engine, row, variant, out, faster=1):
     """`out`: how the names of its files begin; `faster`: what velocities are multiplied by."""
     blocks = {"{law}": law(engine, variant), "{softer}": softer(variant), "{start}": start(engine, row),
-              "{integrate}": integrate(variant, row.integrate), "{again}": integrators(variant, row.integrate)}
+              "{integrate}": integrate(variant, row.integrate), "{again}": integrators(variant, row.integrate),
+              "{second}": [integrators(variant, "some")[0].replace("fix integrate", "fix second")]}
     rows_own = row.kind == "fix" and "{integrate}" in row.lines
     first = [] if rows_own else blocks["{integrate}"]
     lines = [*set_up(engine, row, faster), *blocks["{law}"], *first, f"timestep {TIME_STEP}",
