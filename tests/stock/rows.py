@@ -25,8 +25,8 @@ import os
 
 ENGINES = ("liggghts", "lammps")
 ROWS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "rows.txt")
-DEFAULTS = {"about": "", "engines": " ".join(ENGINES), "kind": "fix", "refused": "", "told": "", "passive": False, "observes": False,
-            "tolerance": "", "integrate": "all", "boundary": "p f p", "half_width": "0.0262", "atom_style": "", "box": "",
+DEFAULTS = {"about": "", "engines": " ".join(ENGINES), "kind": "fix", "refused": "", "told": "",
+            "passive": False, "observes": False, "tolerance": "", "integrate": "all", "boundary": "p f p", "half_width": "0.0262", "atom_style": "", "box": "",
             "before_box": [], "discs": "all", "one_rank": False, "alone": False}
 
 

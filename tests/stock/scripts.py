@@ -137,6 +137,11 @@ def of_row(engine, row, variant, out, faster=1):
     return [line.replace("{out}", out).replace("{folder}", os.path.dirname(out)) for line in lines]
 
 
+def out_of(row, name, folder):
+    """How the names of the files of a row under a variant of that name begin."""
+    return os.path.join(folder, f"{row.file_name()}.{name}.")
+
+
 def write_files(folder):
     for name, text in FILES.items():
         with open(os.path.join(folder, name), "w") as file:

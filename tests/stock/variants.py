@@ -23,7 +23,7 @@ def of_row(row):
     engine = row.engine
     spring = "disc/cundall_strack tangential_damping on"
     variants = [STOCK[engine], ours(engine, "ours", "off", dashpots=False), ours(engine, "open", spring),
-                ours(engine, "looked_at", spring, looks=True)]
+                ours(engine, "looked_at", spring, looks=True), ours(engine, "closed", spring, "fused off")]
     if engine in STOCK_FRICTION:
         friction = ours(engine, "half_step", "disc/viscous", "velocity half_step", one_run=True)
         # A second run of nve/disc goes on with the forces of the first one; nve/sphere begins it with others, of
@@ -35,4 +35,5 @@ def of_row(row):
 
 
 # Who has to move as who, and whether to the last bit.
-PAIRS = [("ours", "stock", False), ("half_step", "stock_friction", False), ("open", "looked_at", True)]
+PAIRS = [("ours", "stock", False), ("half_step", "stock_friction", False), ("open", "looked_at", True),
+         ("open", "closed", True)]
