@@ -114,8 +114,7 @@ class RowReader {
     require_columns(map_, required_contact_columns(needed, map_.given), names, place);
     wall_map_ = map_;
     // In text fn and ft cost little, and tell a force that has been changed.
-    const ColumnSet wanted =
-        wanted_contact_columns(needed, map_.given) | (map_.given & column_set(fn, ft));
+    const ColumnSet wanted = wanted_contact_columns(needed, map_.given) | (map_.given & column_set(fn, ft));
     keep_columns(map_, wanted);
     keep_columns(wall_map_, wanted | place_columns);
     if (walls_) map_ = wall_map_;
