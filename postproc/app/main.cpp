@@ -64,7 +64,7 @@ int run(int argc, char** argv) {
   mikromakro::add_convert_command(program);
   mikromakro::add_draw_command(program);
   mikromakro::add_timestep_command(program);
-  for (CLI::App* verb : program.get_subcommands({})) mikromakro::check_numbers(*verb);
+  for (CLI::App* verb : program.get_subcommands({})) mikromakro::check_values(*verb);
   try {
     program.parse(mikromakro::words_for_parser(argc, argv));
   } catch (const CLI::ParseError& error) {
