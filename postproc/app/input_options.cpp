@@ -30,9 +30,10 @@ void add_input_options(CLI::App& app, InputOptions& options) {
   app.add_option("--steps", options.steps, "A:B or one: frames by time step");
   app.add_option("--particle-columns", options.particle_columns, "names of all columns, - to skip one")
       ->delimiter(',');
-  app.add_option("--contact-columns", options.contact_columns,
-                 "names of all columns, - to skip one; or liggghts (compute pair/gran/local), lammps (compute "
-                 "property/local patom1 patom2 and pair/local dist fx fy, or dist force fx fy fz p1 ...)")
+  app.add_option(
+         "--contact-columns", options.contact_columns,
+         "names of all columns, - to skip one; or liggghts (compute pair/gran/local), lammps (compute "
+         "property/local patom1 patom2 and pair/local dist fx fy, or dist force fx fy fz p1 ...)")
       ->delimiter(',');
   app.add_option("--wall-contact-columns", options.wall_columns,
                  "the same of --wall-contacts; default liggghts (compute wall/gran/local)")

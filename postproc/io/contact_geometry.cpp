@@ -243,10 +243,10 @@ class Joiner {
   }
 
   void check_components(const Row& row, const Contact& contact, double slack) const {
-    if (!row.has(force_columns | components_of_force)) return;
+    if (!row.has(force_columns) || (row.given & components_of_force) == 0) return;
     const Vector2d tangent(-contact.normal.y(), contact.normal.x());
     const Vector2d right(-contact.force.dot(contact.normal), contact.force.dot(tangent));
-    const Vector2d told = row.place(fn, ft);
+    const Vector2d told(row.has(fn) ? row[fn] : right.x(), row.has(ft) ? row[ft] : right.y());
     // Both are rounded, to six digits at least, and turned by what the normal is off.
     const double allowed = contact.force.norm() * (six_digits + 2 * slack / disc(contact.index1).radius);
     if (std::abs(told.x() - right.x()) <= allowed && std::abs(told.y() - right.y()) <= allowed) return;
