@@ -85,9 +85,12 @@ class ZstdSource : public ByteSource {
   std::size_t read(std::span<char> room, const Place& place) override {
     ZSTD_outBuffer out{room.data(), room.size(), 0};
     while (out.pos == 0) {
-      if (in_.pos == in_.size && !refill()) return 0;
+      const bool more = in_.pos < in_.size || refill();
+      if (!more && wanted_ == 0) return 0;
+      // At the end of a cut file what has been decompressed may still be on its way.
       wanted_ = ZSTD_decompressStream(stream_.get(), &out, &in_);
       if (ZSTD_isError(wanted_) != 0) complain(place, ZSTD_getErrorName(wanted_));
+      if (!more && out.pos == 0) return 0;
     }
     return out.pos;
   }

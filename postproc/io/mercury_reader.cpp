@@ -69,7 +69,8 @@ bool MercuryReader::cut_rows(std::string& text) {
 bool MercuryDataReader::recognises(const std::string& file) {
   const std::string line = first_line(file);
   std::string_view rest = line;
-  return begins_with_digit(next_word(rest));
+  // A number alone is the first line of a file of xyz.
+  return begins_with_digit(next_word(rest)) && !next_word(rest).empty();
 }
 
 bool MercuryDataReader::next_header(MercuryHeader& header) {

@@ -75,7 +75,7 @@ class MercuryReader {
 class MercuryDataReader : public MercuryReader {
  public:
   explicit MercuryDataReader(const std::string& file) : MercuryReader(file) {}
-  /// Whether a file begins as .data files do, with a number.
+  /// Whether a file begins as .data files do, with a number and others behind it.
   static bool recognises(const std::string& file);
   bool next_header(MercuryHeader& header);
 };

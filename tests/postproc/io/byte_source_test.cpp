@@ -63,7 +63,7 @@ TEST(Zstd, ACutFileGivesItsWholeLinesAndSaysSo) {
   LineReader lines(folder.write("cut.zst", whole.substr(0, whole.size() / 2)));
   const std::string some = all_lines(lines);
   EXPECT_TRUE(lines.cut());
-  EXPECT_GT(some.size(), text.size() / 3);
+  EXPECT_GT(some.size(), 200000U);  // two blocks of zstd, of the five before the lines repeat
   EXPECT_TRUE(text.starts_with(some));
 }
 
