@@ -84,6 +84,9 @@ class Joiner {
     const Particle& one = disc(contact.index1);
     const Particle& two = disc(contact.index2);
     const bool by_row = row.has(place_columns);
+    if (contact.id1 == contact.id2 && length_.isZero())
+      throw bad_input(rows_.place(row.index), "a disc in contact with itself", "two ids",
+                      fmt::format("twice {}", contact.id1));
     if (by_row) {
       check_place(row, x1, y1, one);
       check_place(row, x2, y2, two);
