@@ -11,6 +11,7 @@
 #include "force.h"
 #include "integrate.h"
 #include "lammps.h"
+#include "neighbor.h"
 #include "output.h"
 #include "pair_disc.h"
 #include "update.h"
@@ -45,6 +46,12 @@ struct SendLists {
   friend Type member(SendLists tag);
 };
 
+struct TriggerSquare {
+  using Type = double Neighbor::*;
+  friend Type member(TriggerSquare tag);
+};
+
+template struct Grant<TriggerSquare, &Neighbor::triggersq>;
 template struct Grant<ExternalForceClear, &Integrate::external_force_clear>;
 template struct Grant<SwapCount, &CommBrick::nswap>;
 template struct Grant<SendCounts, &CommBrick::sendnum>;
@@ -109,6 +116,16 @@ bigint next_restart_step(const LAMMPS& engine) {
   return engine.output->restart_flag ? engine.output->next_restart : -1;
 }
 
+void set_trigger(Neighbor& neighbor, double distance) {
+  neighbor.*member(TriggerSquare{}) = distance < 0 ? -1 : distance * distance;
+}
+
+/// As the stock granular styles ask `fix pour` and `fix deposit`.
+double radius_to_come(Fix& fix, int type) {
+  const auto* radius = static_cast<const double*>(fix.extract("radius", type));
+  return radius ? *radius : 0;
+}
+
 double time_now(const LAMMPS& engine) {
   const Update& update = *engine.update;
   return update.atime + static_cast<double>(update.ntimestep - update.atimestep) * update.dt;
@@ -126,7 +143,7 @@ bool leaves_discs_alone(const Fix& fix, int mask) {
   constexpr int harmless = END_OF_STEP | POST_RUN | MIN_PRE_EXCHANGE | MIN_PRE_NEIGHBOR | MIN_POST_NEIGHBOR |
                            MIN_PRE_FORCE | MIN_PRE_REVERSE | MIN_POST_FORCE | MIN_ENERGY;
   const bool history = dynamic_cast<const FixDiscHistory*>(&fix) != nullptr;
-  return (mask & ~(harmless | (history ? PRE_EXCHANGE | POST_NEIGHBOR : 0))) == 0;
+  return fix.box_change == 0 && (mask & ~(harmless | (history ? PRE_EXCHANGE | POST_NEIGHBOR : 0))) == 0;
 }
 
 /// The atom style has no density beside the mass.

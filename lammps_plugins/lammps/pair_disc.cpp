@@ -88,7 +88,6 @@ void PairDisc::allocate() {
   memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
   for (int i = 1; i <= types; ++i) std::fill_n(&setflag[i][1], types, 0);
   coefficients_.assign(static_cast<std::size_t>(types) * types, {});
-  largest_radius_.assign(types + 1, 0.0);
 }
 
 PairDisc::Coefficients& PairDisc::coefficients(int i, int j) {
@@ -172,13 +171,6 @@ void PairDisc::init_style() {
   neighbor->requests[request]->size = 1;
   neighbor->requests[request]->history = law_.effects().spring() ? 1 : 0;
   provide_history();
-  std::fill(largest_radius_.begin(), largest_radius_.end(), 0.0);
-  for (int i = 0; i < atom->nlocal; ++i) {
-    double& largest = largest_radius_[atom->type[i]];
-    largest = std::max(largest, atom->radius[i]);
-  }
-  MPI_Allreduce(MPI_IN_PLACE, largest_radius_.data(), static_cast<int>(largest_radius_.size()), MPI_DOUBLE,
-                MPI_MAX, world);
   law_.begin_run(parameters());
 }
 
@@ -221,7 +213,7 @@ std::vector<ContactParameters> PairDisc::parameters() const {
 
 /// Discs that touch.
 double PairDisc::init_one(int i, int j) {
-  return largest_radius_[i] + largest_radius_[j];
+  return law_.largest_radius(i) + law_.largest_radius(j);
 }
 
 void PairDisc::compute(int eflag, int vflag) {
@@ -279,9 +271,9 @@ void PairDisc::Law::read(int narg, char** arg) {
   while (arguments.more()) {
     if (take_setting(arguments)) continue;
     if (!arguments.take_once("tangential"))
-      fail("unknown keyword '" + arguments.word("keyword") +
-           "'; expected tangential, damping, tangential_damping" +
-           (normal_ == physics::Normal::hertz ? ", limitForce or impact_velocity" : " or limitForce"));
+      arguments.unexpected(std::string("tangential, damping, tangential_damping, limitForce") +
+                           (normal_ == physics::Normal::hertz ? ", impact_velocity" : "") +
+                           " or the end of the command");
     if (arguments.take("disc/viscous")) {
       set_tangential(Tangential::viscous_coulomb);
     } else if (arguments.take("disc/cundall_strack")) {

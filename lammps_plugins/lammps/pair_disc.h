@@ -81,7 +81,6 @@ class PairDisc : public LAMMPS_NS::Pair {
   Law law_;
   FixDiscHistory* history_ = nullptr;
   std::vector<Coefficients> coefficients_;  // of types i, j at (i - 1) * types + j - 1, for i <= j
-  std::vector<double> largest_radius_;      // of each type, over all ranks
 };
 
 }  // namespace mikromakro::styles

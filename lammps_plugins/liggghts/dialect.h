@@ -1,6 +1,8 @@
 // How LIGGGHTS spells what the styles need from an engine; lammps/dialect.h has the same names.
 #pragma once
 
+#include <cstddef>
+
 #include "compute.h"
 #include "fix.h"
 #include "pointers.h"
@@ -19,6 +21,22 @@ class FixOfEngine : public LAMMPS_NS::Fix {
     create_attribute = 1;
     // Otherwise the engine would clear the values of all atoms in the first set-up of a new fix.
     just_created = 0;
+  }
+
+  /// The fix has so many numbers for each ghost, which Comm::forward_comm_fix() takes from the disc that it is an
+  /// image of.
+  void has_values_of_ghosts(int count) { comm_forward = count; }
+  virtual void pack_for_ghost(int /*i*/, double* /*buffer*/) const {}
+  virtual void unpack_for_ghost(int /*i*/, const double* /*buffer*/) {}
+
+ private:
+  int pack_comm(int n, int* list, double* buffer, int /*pbc_flag*/, int* /*pbc*/) final {
+    for (int k = 0; k < n; ++k) pack_for_ghost(list[k], buffer + static_cast<std::ptrdiff_t>(comm_forward) * k);
+    return comm_forward;
+  }
+  void unpack_comm(int n, int first, double* buffer) final {
+    for (int k = 0; k < n; ++k)
+      unpack_for_ghost(first + k, buffer + static_cast<std::ptrdiff_t>(comm_forward) * k);
   }
 };
 

@@ -12,6 +12,7 @@
 #include "comm.h"
 #include "integrate.h"
 #include "lammps.h"
+#include "neighbor.h"
 #include "output.h"
 #include "signal_handling.h"
 #include "universe.h"
@@ -56,11 +57,17 @@ struct SendLists {
   friend Type member(SendLists tag);
 };
 
+struct TriggerSquare {
+  using Type = double LAMMPS_NS::Neighbor::*;
+  friend Type member(TriggerSquare tag);
+};
+
 struct NextRestart {
   using Type = LAMMPS_NS::bigint LAMMPS_NS::Output::*;
   friend Type member(NextRestart tag);
 };
 
+template struct Grant<TriggerSquare, &LAMMPS_NS::Neighbor::triggersq>;
 template struct Grant<NextRestart, &LAMMPS_NS::Output::next_restart>;
 template struct Grant<ExternalForceClear, &LAMMPS_NS::Integrate::external_force_clear>;
 template struct Grant<SwapCount, &LAMMPS_NS::Comm::nswap>;
@@ -106,6 +113,14 @@ LAMMPS_NS::bigint next_restart_step(const LAMMPS_NS::LAMMPS& engine) {
   return engine.output->*member(NextRestart{});
 }
 
+void set_trigger(LAMMPS_NS::Neighbor& neighbor, double distance) {
+  neighbor.*member(TriggerSquare{}) = distance < 0 ? -1 : distance * distance;
+}
+
+double radius_to_come(LAMMPS_NS::Fix& fix, int type) {
+  return fix.max_rad(type);
+}
+
 double time_now(const LAMMPS_NS::LAMMPS& engine) {
   return engine.update->get_cur_time();
 }
@@ -131,7 +146,8 @@ bool leaves_discs_alone(const LAMMPS_NS::Fix& fix, int mask) {
   constexpr int harmless = END_OF_STEP | THERMO_ENERGY | POST_RUN | MIN_PRE_EXCHANGE | MIN_PRE_NEIGHBOR |
                            MIN_PRE_FORCE | MIN_POST_FORCE | MIN_ENERGY;
   const bool history = std::strcmp(fix.style, "contacthistory") == 0;
-  return (mask & ~(harmless | (history ? PRE_EXCHANGE : 0))) == 0;
+  const bool changes_box = fix.box_change_size || fix.box_change_shape || fix.box_change_domain;
+  return !changes_box && (mask & ~(harmless | (history ? PRE_EXCHANGE : 0))) == 0;
 }
 
 void store_density(LAMMPS_NS::Atom& atom, int i, double areal_density) {

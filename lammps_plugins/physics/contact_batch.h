@@ -10,6 +10,7 @@
 #include "physics/contact_law.h"
 #include "physics/disc_rows.h"
 #include "physics/inverse_root.h"
+#include "physics/spring_step.h"
 
 namespace mikromakro::physics {
 
@@ -151,27 +152,25 @@ template <Effects effects>
   return {changed != 0, undefined != 0};
 }
 
-/// Slip of the step [m] of contacts that touched before, from velocities that were predicted for this instant
-/// (slip_rate_of_half_step) or belong to the middle of the step, as the stock integrators leave them.
-[[gnu::always_inline]] inline void contact_slip(ContactBatch& c, int count, bool predicted, double dt) {
+/// Slip rate and slip of contacts that touched before.
+[[gnu::always_inline]] inline void contact_slip(ContactBatch& c, int count, const StepOfSlip& step) {
   const int all = padded(count);
   double* slip_rate = c.springs->slip_rate;
 #pragma GCC ivdep
   for (int k = 0; k < all; ++k) {
-    const double rate = slip_rate_of_half_step(slip_rate[k], c.v_t[k]);
-    slip_rate[k] = predicted ? rate : c.v_t[k];
-    c.slip[k] = slip_rate[k] * dt;
+    const auto [rate, slip] = step_of_old_contact(slip_rate[k], c.v_t[k], step);
+    slip_rate[k] = rate;
+    c.slip[k] = slip;
   }
 }
 
-/// Spring and slip of a pair that began to touch in this step, or ceased to: a new spring is unstretched, and
-/// with predicted velocities it slips from the moment when the discs met.
-inline void begin_or_end_contact(ContactBatch& c, int k, bool predicted, double dt) {
+/// Spring and slip of a pair that began to touch in this step, or ceased to: a new spring is unstretched.
+inline void begin_or_end_contact(ContactBatch& c, int k, const StepOfSlip& step) {
+  const SpringStep begun = step_of_new_contact({c.overlap[k], c.v_n[k], c.v_t[k], 0}, step);
+  const auto [rate, slip] = c.touches(k) ? begun : SpringStep{0, 0};
   c.springs->xi[k] = 0;
-  c.springs->slip_rate[k] = c.touches(k) ? c.v_t[k] : 0;
-  c.slip[k] = c.springs->slip_rate[k] * dt;
-  if (predicted && dt > 0 && c.touches(k))
-    c.slip[k] = slip_since_onset({c.overlap[k], c.v_n[k], c.v_t[k], 0}, dt);
+  c.springs->slip_rate[k] = rate;
+  c.slip[k] = slip;
 }
 
 /// The law, after contact_geometry() and with the slip of each lane.

@@ -104,19 +104,6 @@ inline double viscous_coulomb_force(const ContactParameters& p, double v_t, doub
   return std::clamp(-p.tangential_damping * v_t, -cap, cap);
 }
 
-/// Slip rate in the middle of the step that ends now [m/s], from the one in the middle of the step before and
-/// the predicted one of now: Verlet's prediction v_n = v_(n-1/2) + (v_(n-1/2) - v_(n-3/2)) / 2, solved for
-/// v_(n-1/2). The slip of the step is this rate times dt, as in velocity Verlet; v_n dt instead would act as
-/// a dashpot k_t dt / 2 beside the spring, the trapezium of predicted rates lets it gain energy in order 3.
-inline double slip_rate_of_half_step(double half_step_before, double v_t) {
-  return (2 * v_t + half_step_before) * (1.0 / 3);
-}
-
-/// Slip over the step in which the discs met [m]: they touched overlap / v_n ago, at most dt.
-inline double slip_since_onset(const ContactState& s, double dt) {
-  return s.v_t * (s.overlap < s.v_n * dt ? s.overlap / s.v_n : dt);
-}
-
 /// Cundall-Strack spring (seed 2.2, as pinned in docs/conventions.md): xi grows by the slip; the trial force
 /// -k_t xi [- gamma_t v_t] holds up to mu |f_n|; beyond it the force slides at the cap and the spring is set
 /// to what the cap leaves for it, never longer than the cap allows.

@@ -14,6 +14,7 @@
 
 #include "physics/contact_law.h"
 #include "physics/plane_vector.h"
+#include "physics/spring_step.h"
 
 namespace mikromakro::physics {
 
@@ -112,33 +113,19 @@ struct WallSpring {
   bool touching = false;
 };
 
-/// The time that a force evaluation stands for; 0 evaluates without moving springs. `predicted`: velocities
-/// are of the same instant as positions, not of the middle of the step.
-struct StepOfSlip {
-  double dt;
-  bool predicted;
-};
-
-/// Force on a disc that touches a wall; moves the spring like the pair loop does: by Verlet's slip, in the
-/// first step by the slip since the disc met the wall.
+/// Force on a disc that touches a wall; moves the spring like the pair loop does.
 template <Effects effects>
 ContactForce wall_contact_force(const ContactParameters& parameters, const ContactState& state,
                                 const StepOfSlip& step, WallSpring& spring) {
   if constexpr (!effects.spring()) {
     return contact_force<effects>(parameters, state, 0.0);
   } else {
-    double rate = state.v_t, slip = state.v_t * step.dt;
-    if (step.predicted && spring.touching) {
-      rate = slip_rate_of_half_step(spring.slip_rate, state.v_t);
-      slip = rate * step.dt;
-    } else if (step.predicted && step.dt > 0) {
-      slip = slip_since_onset(state, step.dt);
-    }
-    const bool met = !spring.touching;
-    const ContactForce force = contact_force<effects>(parameters, state, step.dt > 0 ? slip : 0.0);
+    const auto [rate, slip] = spring.touching ? step_of_old_contact(spring.slip_rate, state.v_t, step)
+                                              : step_of_new_contact(state, step);
+    const ContactForce force = contact_force<effects>(parameters, state, slip);
     if (step.dt > 0) {
       spring = {force.xi, rate, true};
-    } else if (met) {
+    } else if (!spring.touching) {
       spring = {0.0, rate, true};
     }
     return force;

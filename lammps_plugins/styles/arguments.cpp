@@ -6,11 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 #include "error.h"
+#include "io/nearest_name.h"
 #include "lammps.h"
 
 namespace mikromakro::styles {
@@ -28,38 +27,20 @@ std::string quoted(const std::string& text) {
   return std::string("'").append(text).append("'");
 }
 
-/// Letters to be changed, added or left out to turn one word into the other.
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({change, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
 bool in_word(char letter) {
   return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' || letter == '/';
 }
 
 }  // namespace
 
-std::string did_you_mean(const std::string& word, const std::string& names) {
-  std::string nearest;
-  std::size_t least = 1 + std::min<std::size_t>(2, word.size() / 2);
+std::string quoted_with_guess(const std::string& word, const std::string& names) {
+  std::vector<std::string_view> known;
   for (auto begin = names.begin(); begin != names.end();) {
     const auto end = std::find_if_not(begin, names.end(), in_word);
-    const std::string name(begin, end);
-    const std::size_t far = distance(word, name);
-    if (name.size() > 2 && far < least) least = far, nearest = name;
+    if (end - begin > 2) known.emplace_back(begin, end);
     begin = std::find_if(end, names.end(), in_word);
   }
-  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+  return in_quotes_with_guess(word, known);
 }
 
 void stop(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std::string& what) {
@@ -115,8 +96,7 @@ long Arguments::integer(const std::string& name, long least, long most) {
 
 void Arguments::unexpected(const std::string& accepted) {
   fail("expected " + accepted + ", got " +
-       (more() ? quoted(arguments_[next_]) + did_you_mean(arguments_[next_], accepted)
-               : std::string("the end of the command")));
+       (more() ? quoted_with_guess(arguments_[next_], accepted) : std::string("the end of the command")));
 }
 
 void Arguments::expected(const std::string& name, const std::string& what, const std::string& found) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -32,18 +33,6 @@ using physics::Normal;
 using physics::Tangential;
 
 namespace {
-
-/// Whether every fix that integrates is fix nve/disc with `velocity predicted`.
-bool integrators_predict_velocities(const Modify& modify) {
-  bool any = false;
-  for (int k = 0; k < modify.nfix; ++k) {
-    if (std::strncmp(modify.fix[k]->style, "nve", 3) != 0) continue;
-    const auto* integrator = dynamic_cast<const FixNveDisc*>(modify.fix[k]);
-    if (!integrator || !integrator->predicts_velocities()) return false;
-    any = true;
-  }
-  return any;
-}
 
 /// What a restart file holds of the settings.
 struct SavedSettings {
@@ -119,18 +108,47 @@ void DiscLaw::read_settings(FILE* file, std::int64_t key) {
   choose_loops();
 }
 
+/// Velocities are predicted where every fix that integrates is fix nve/disc with `velocity predicted`.
+void DiscLaw::find_integrators() {
+  integrators_.clear();
+  bool all_predict = true;
+  for (int k = 0; k < modify->nfix; ++k) {
+    if (std::strncmp(modify->fix[k]->style, "nve", 3) != 0) continue;
+    const auto* integrator = dynamic_cast<const FixNveDisc*>(modify->fix[k]);
+    all_predict = all_predict && integrator && integrator->predicts_velocities();
+    if (integrator) integrators_.push_back(integrator);
+  }
+  predicted_ = all_predict && !integrators_.empty();
+}
+
+void DiscLaw::find_largest_radii() {
+  largest_radii_.assign(atom->ntypes + 1, 0.0);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    double& largest = largest_radii_[atom->type[i]];
+    largest = std::max(largest, atom->radius[i]);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, largest_radii_.data(), static_cast<int>(largest_radii_.size()), MPI_DOUBLE,
+                MPI_MAX, world);
+  for (int k = 0; k < modify->nfix; ++k) {
+    for (int type = 1; type <= atom->ntypes; ++type)
+      largest_radii_[type] = std::max(largest_radii_[type], radius_to_come(*modify->fix[k], type));
+  }
+}
+
 void DiscLaw::begin_run(std::vector<physics::ContactParameters> parameters) {
   parameters_ = std::move(parameters);
   one_material_ = std::all_of(parameters_.begin(), parameters_.end(),
                               [&](const auto& p) { return p == parameters_.front(); });
   run_started_ = false;
-  predicted_ = integrators_predict_velocities(*modify);
+  find_integrators();
+  find_largest_radii();
   schedule_.look_up(*lmp);
   readers_.look_up(*lmp);
   packed_.may_stay_open = packed_.open = false;
   waiting_.reset();
-  packed_.step = -1;
+  packed_.step = rows_step_ = -1;
   recorded_step_ = -1;
+  growth_ = 0;
 }
 
 /// Once in each run, at its set-up; the engine also initialises when it writes a restart file.
@@ -146,6 +164,10 @@ const physics::ContactParameters& DiscLaw::parameters(int type_1, int type_2) co
   return parameters_[static_cast<std::size_t>(type_1 - 1) * atom->ntypes + type_2 - 1];
 }
 
+const physics::DiscRow* DiscLaw::seen(int i) const {
+  return rows_step_ == update->ntimestep ? &packed_.discs[i] : nullptr;
+}
+
 const std::vector<AppliedContact>* DiscLaw::applied_contacts() const {
   return recorded_step_ == update->ntimestep ? &applied_ : nullptr;
 }
@@ -157,6 +179,20 @@ std::size_t DiscLaw::bytes_of_pairs() const {
 
 std::size_t DiscLaw::bytes_in_engine() const {
   return histories_.size() * (2 * sizeof(double) + sizeof(int));
+}
+
+double DiscLaw::strongest_contact() const {
+  double strongest = 0;
+  for (const auto& pair : pairs_) {
+    const physics::DiscRow &a = packed_.discs[pair.i], &b = packed_.discs[pair.j];
+    const double overlap = a.radius() + b.radius() - std::hypot(a.x() - b.x(), a.y() - b.y());
+    if (overlap <= 0) continue;
+    const double k_n = parameters(atom->type[pair.i], atom->type[pair.j]).normal_stiffness;
+    const double reduced = physics::reduced_radius(a.radius(), b.radius());
+    const bool hertz = effects_.normal == Normal::hertz;
+    strongest = std::max(strongest, k_n * overlap * (hertz ? std::sqrt(reduced * overlap) : 1));
+  }
+  return strongest;
 }
 
 std::size_t DiscLaw::contacts() const {
@@ -179,6 +215,7 @@ void DiscLaw::evaluate(const Evaluation& evaluation) {
     const bool observed = recording_ || evaluation.is_observed;
     evaluated_step_ = update->ntimestep;
     (this->*preparation_)(evaluation);
+    rows_step_ = update->ntimestep;
     if (packed_.open && !observed) {
       waiting_.emplace(evaluation);
     } else {

@@ -28,6 +28,7 @@ class NeighList;
 namespace mikromakro::styles {
 
 class Arguments;
+class FixNveDisc;
 
 /// One contact as it acted in the last force evaluation; signs as in physics/contact_law.h.
 struct AppliedContact {
@@ -70,6 +71,13 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   /// velocities that were predicted for the instant of their positions. Valid from the start of a run.
   const physics::ContactParameters& parameters(int type_1, int type_2) const;
   bool velocities_predicted() const { return predicted_; }
+  /// An owned disc as its contacts saw it in this step; nullptr where they have not been evaluated.
+  const physics::DiscRow* seen(int i) const;
+  /// Elastic force of the contact of this rank that is pressed most [N].
+  double strongest_contact() const;
+  /// Of each type [m], for which the engine makes its lists: of all ranks at the start of the run, and of
+  /// discs that fixes are going to insert.
+  double largest_radius(int type) const { return largest_radii_[type]; }
 
   /// Shared with the fixes that move discs.
   PackedDiscs& packed_discs() { return packed_; }
@@ -142,21 +150,31 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   using Loop = void (DiscLaw::*)(const Evaluation& evaluation, const MoveDiscs& move_discs);
 
   void start_run(const LAMMPS_NS::NeighList& list);
+  void find_integrators();
+  void find_largest_radii();
   void choose_loops();
   template <int... numbers>
   void choose_among(std::integer_sequence<int, numbers...> combinations);
   template <physics::Effects effects>
   void use_loops_of();
+  /// What has happened to discs since the evaluation before: how far any has moved, and how much any radius
+  /// has grown, at most [m].
+  struct Change {
+    double moved, growth;
+  };
   template <bool spins>
-  double gather(int first);
+  Change gather(int first);
   template <physics::Effects effects>
   void flatten(const LAMMPS_NS::NeighList& list);
   void remember_places();
+  void follow_growth(double growth);
+  void lessen_trigger(double by);
   template <physics::Effects effects>
   void find_near_pairs();
   void set_materials(physics::ContactBatch& batch, const physics::DiscPair* pairs, int count) const;
   void begin_and_end_contacts(physics::ContactBatch& batch, int first, int count, double dt);
   void observe(const Evaluation& evaluation, const physics::ContactBatch& batch, int lane, int first);
+  [[noreturn]] void stop_alone(const std::string& what) const;
   [[noreturn]] void stop_at_coincident_centres(const physics::ContactBatch& batch,
                                                const physics::DiscPair* pairs) const;
   template <physics::Effects effects>
@@ -170,6 +188,8 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   bool run_started_ = false;
   std::vector<physics::ContactParameters> parameters_;  // of type i and type j at (i - 1) * types + j - 1
   PackedDiscs packed_;
+  std::vector<const FixNveDisc*> integrators_;
+  LAMMPS_NS::bigint rows_step_ = -1;  // of which the rows are
   EndOfStepReaders readers_;
   std::unique_ptr<physics::ContactBatch> batch_ = std::make_unique<physics::ContactBatch>();
   // Since the neighbour list was built: its pairs, the first of each disc, and for laws with a spring the
@@ -188,6 +208,10 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   // Since the neighbour list was built: where owned discs were then, how far any has moved at most [m].
   std::vector<physics::PlaneVector> built_at_;
   double path_ = 0;
+  // Radii [m]: see largest_radius(); how far they reach beyond what the present lists were made for, and how
+  // much any has grown in the last step, at most.
+  std::vector<double> largest_radii_;
+  double beyond_lists_ = 0, growth_ = 0;
   bool forces_are_stale_ = false;  // the engine has not cleared its forces in this step
   bool springs_wait_ = false;      // the engine's histories are behind
   bool one_material_ = false;      // all pairs of types have the same constants

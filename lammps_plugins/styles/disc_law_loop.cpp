@@ -9,6 +9,7 @@
 #include "atom.h"
 #include "disc_law.h"
 #include "error.h"
+#include "fix_nve_disc.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "physics/contact_batch.h"
@@ -45,7 +46,7 @@ template <Effects effects>
 FOR_EACH_PROCESSOR physics::BatchState batch_geometry(ContactBatch& c, const BatchOfPairs& b) {
   physics::load_discs<effects>(c, b.discs, b.pairs, b.count, b.loads, b.ahead);
   const auto state = physics::contact_geometry<effects>(c, b.count);
-  if constexpr (effects.spring()) physics::contact_slip(c, b.count, b.predicted, b.dt);
+  if constexpr (effects.spring()) physics::contact_slip(c, b.count, {b.dt, b.predicted});
   return state;
 }
 
@@ -57,27 +58,20 @@ FOR_EACH_PROCESSOR void batch_forces(ContactBatch& c, const BatchOfPairs& b) {
 
 }  // namespace
 
-/// The engine's Error::one is silent on all ranks but the first, and loses its line where the output is a
-/// pipe.
 void DiscLaw::stop_at_coincident_centres(const ContactBatch& c, const DiscPair* pairs) const {
   int lane = 0;
   while (c.is_defined(lane)) ++lane;
   const auto& pair = pairs[lane];
-  const std::string text = "ERROR: " + style() + ": discs " + std::to_string(atom->tag[pair.i]) + " and " +
-                           std::to_string(atom->tag[pair.j]) + " have the same centre in step " +
-                           std::to_string(evaluated_step_) + ": their contact has no normal\n";
-  if (logfile) std::fputs(text.c_str(), logfile);
-  std::fflush(nullptr);
-  std::fputs(text.c_str(), stderr);
-  MPI_Abort(world, 1);
-  std::abort();
+  stop_alone("discs " + std::to_string(atom->tag[pair.i]) + " and " + std::to_string(atom->tag[pair.j]) +
+             " have the same centre in step " + std::to_string(evaluated_step_) +
+             ": their contact has no normal");
 }
 
 /// Rows of the discs, owned or ghost, from number `first` on, from the engine's arrays, which would cost a
-/// cache line each for every neighbour. Returns how far any disc has moved at most [m], provided that discs
-/// have the numbers that they had.
+/// cache line each for every neighbour. The change that is returned means something where discs have the
+/// numbers that they had.
 template <bool spins>
-double DiscLaw::gather(int first) {
+DiscLaw::Change DiscLaw::gather(int first) {
   const int count = atom->nlocal + atom->nghost;
   auto& discs = packed_.discs;
   discs.resize(count);
@@ -85,16 +79,18 @@ double DiscLaw::gather(int first) {
   const auto* x = reinterpret_cast<const Vector3*>(atom->x[0]);
   const auto* v = reinterpret_cast<const Vector3*>(atom->v[0]);
   const auto* omega = reinterpret_cast<const Vector3*>(atom->omega[0]);
-  double furthest = 0;
+  double furthest = 0, growth = 0;
   for (int i = first; i < count; ++i) {
     const double d_x = x[i][0] - discs[i].x(), d_y = x[i][1] - discs[i].y();
     furthest = std::max(furthest, d_x * d_x + d_y * d_y);
+    growth = std::max(growth, atom->radius[i] - discs[i].radius());
     discs[i] = DiscRow::of(x[i][0], x[i][1], atom->radius[i]);
     discs[i].set_motion(v[i][0], v[i][1], spins ? omega[i][2] : 0.0);
   }
+  for (const FixNveDisc* integrator : integrators_) integrator->predict(discs, first);
   const double moved = std::max(std::sqrt(furthest), first > 0 ? packed_.furthest : 0.0);
   packed_.furthest = 0;
-  return moved;
+  return {moved, growth};
 }
 
 /// Copies the engine's neighbour list, which it has just built, into one flat list of pairs.
@@ -158,11 +154,14 @@ void DiscLaw::begin_and_end_contacts(ContactBatch& c, int first, int count, doub
   for (int k = 0; k < count; ++k) {
     if (c.touches(k) == (c.springs->touched[k] != 0)) continue;
     const int number = near_.number(first + k), i = pairs_[number].i;
-    near_.set_touched(first + k, c.touches(k));
     in_contact_[number] = c.touches(k);
     flags_[i][number - first_pair_[i]] = c.touches(k);
-    histories_[number][history_xi] = histories_[number][history_slip_rate] = 0;
-    physics::begin_or_end_contact(c, k, predicted_, dt);
+    physics::begin_or_end_contact(c, k, {dt, predicted_});
+    // A set-up works on a copy of the springs, but a contact that it finds has begun.
+    const double slip_rate = c.springs->slip_rate[k];
+    near_.set_spring(first + k, c.touches(k), 0, slip_rate);
+    histories_[number][history_xi] = 0;
+    histories_[number][history_slip_rate] = slip_rate;
   }
 }
 
@@ -170,15 +169,16 @@ void DiscLaw::begin_and_end_contacts(ContactBatch& c, int first, int count, doub
 template <Effects effects>
 void DiscLaw::prepare(const Evaluation& evaluation) {
   const bool rows_are_there = packed_.step == update->ntimestep && neighbor->ago != 0;
-  const double moved = gather<effects.tangential != Tangential::none>(rows_are_there ? atom->nlocal : 0);
+  const Change change = gather<effects.tangential != Tangential::none>(rows_are_there ? atom->nlocal : 0);
   const bool new_pairs = neighbor->ago == 0 || !pairs_known_;
   if (new_pairs) {
     flatten<effects>(evaluation.list);
     remember_places();
   } else {
-    moved_ += moved;
-    path_ += moved;
+    moved_ += change.moved + change.growth;
+    path_ += change.moved;
     ++steps_of_near_;
+    follow_growth(change.growth);
   }
   if (new_pairs || packed_.look_is_due || 2 * moved_ > near_gap_) {
     packed_.look_is_due = false;
@@ -189,7 +189,8 @@ void DiscLaw::prepare(const Evaluation& evaluation) {
 
 template <Effects effects, bool observed>
 void DiscLaw::act(const Evaluation& evaluation, const MoveDiscs& move_discs) {
-  const bool move_spring = evaluation.is_step && evaluation.moves_springs;
+  // No time goes by in a set-up and in a minimisation.
+  const bool move_spring = evaluation.is_step && evaluation.moves_springs && update->whichflag == 1;
   const double dt = move_spring ? update->dt : 0.0;
   const bool exceed_cache = packed_.exceed_cache();
   ContactBatch& c = *batch_;

@@ -2,10 +2,17 @@
 // engine.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
 #include <vector>
 
+#include <mpi.h>
+
+#include "arguments.h"
 #include "atom.h"
 #include "disc_law.h"
+#include "engine_access.h"
 #include "neighbor.h"
 #include "processor_clones.h"
 #include "update.h"
@@ -31,10 +38,59 @@ FOR_EACH_PROCESSOR double furthest_squared(const DiscRow* discs,
 
 }  // namespace
 
+/// The engine's Error::one is silent on all ranks but the first, and loses its line where the output is a
+/// pipe.
+void DiscLaw::stop_alone(const std::string& what) const {
+  const std::string text = "ERROR: " + style() + ": " + what + "\n";
+  if (logfile) std::fputs(text.c_str(), logfile);
+  std::fflush(nullptr);
+  std::fputs(text.c_str(), stderr);
+  MPI_Abort(world, 1);
+  std::abort();
+}
+
+/// The engine makes a list of pairs that are within the skin of each other, but looks no further than the
+/// largest discs of the start of the run reach.
 void DiscLaw::remember_places() {
   path_ = 0;
   built_at_.clear();
-  for (int i = 0; i < atom->nlocal; ++i) built_at_.push_back({packed_.discs[i].x(), packed_.discs[i].y()});
+  double beyond = 0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    built_at_.push_back({packed_.discs[i].x(), packed_.discs[i].y()});
+    const double radius = atom->radius[i];
+    if (!(radius > 0) || !(atom->rmass[i] > 0)) {
+      stop_alone("disc " + std::to_string(atom->tag[i]) + ": expected a radius and a mass > 0, got " +
+                 text_of(radius) + " m and " + text_of(atom->rmass[i]) + " kg");
+    }
+    beyond = std::max(beyond, radius - largest_radii_[atom->type[i]]);
+  }
+  if (beyond > 0.4 * neighbor->skin) {
+    stop_alone("discs have grown by " + text_of(beyond) +
+               " m beyond the largest of the start of the run, for which the engine looks for neighbours; "
+               "expected at most 0.4 of the skin, " +
+               text_of(0.4 * neighbor->skin) + " m: a larger 'neighbor' distance, or 'run N every M'");
+  }
+  // Of discs that grow in the step of a build their old numbers are not known; they go on growing.
+  beyond_lists_ = beyond + growth_;
+  lessen_trigger(beyond_lists_ + growth_);
+}
+
+/// Discs that grow come closer as if they moved: the engine builds new lists as soon as any may have used up
+/// its half of the skin by both, or is about to in the next step.
+void DiscLaw::follow_growth(double growth) {
+  if (growth == 0 && growth_ == 0) return;
+  if (growth > neighbor->skin / 2) {
+    stop_alone("a radius has grown by " + text_of(growth) +
+               " m in a step; expected at most half of the neighbour list's skin, " +
+               text_of(neighbor->skin / 2) + " m");
+  }
+  growth_ = growth;
+  beyond_lists_ += growth;
+  lessen_trigger(beyond_lists_ + growth);
+}
+
+void DiscLaw::lessen_trigger(double by) {
+  set_trigger(*neighbor, neighbor->skin / 2 - by);
 }
 
 namespace {
@@ -48,7 +104,7 @@ int steps_along(double way, double step) {
 }  // namespace
 
 int DiscLaw::steps_neighbours_suffice() {
-  const double trigger = neighbor->skin / 2 * (1 - 1e-6);  // more than any rounding
+  const double trigger = std::max(0.0, neighbor->skin / 2 * (1 - 1e-6) - beyond_lists_);  // beyond rounding
   const auto steps_from = [&](double gone) {
     return gone < trigger ? 1 + steps_along(trigger - gone, 6 * packed_.furthest) : 0;
   };

@@ -14,6 +14,7 @@ class Atom;
 class Comm;
 class Integrate;
 class LAMMPS;
+class Neighbor;
 }  // namespace LAMMPS_NS
 
 namespace mikromakro::styles {
@@ -53,6 +54,12 @@ std::vector<int> atoms_with_ghosts(const LAMMPS_NS::Comm& comm, int nlocal);
 bool writes_restart_at(const LAMMPS_NS::LAMMPS& engine, LAMMPS_NS::bigint step);
 LAMMPS_NS::bigint next_restart_step(const LAMMPS_NS::LAMMPS& engine);
 
+/// How far a disc may move before the engine builds new neighbour lists [m]; below zero: not at all.
+void set_trigger(LAMMPS_NS::Neighbor& neighbor, double distance);
+
+/// The largest radius that discs of a type will have which the fix inserts [m]; 0: it inserts none.
+double radius_to_come(LAMMPS_NS::Fix& fix, int type);
+
 /// Simulated since the engine began [s].
 double time_now(const LAMMPS_NS::LAMMPS& engine);
 
@@ -62,8 +69,9 @@ void handle_signals();
 /// Somebody outside has asked the engine to end the run, or for a restart file.
 bool is_asked_to_stop();
 
-/// Things that a fix may be called for while nobody has put discs into the engine's arrays: everything that
-/// happens between steps only, and what the fix that keeps the engine's springs does with them.
+/// Whether a fix may be called, and for nothing but these things, while nobody has put discs into the engine's
+/// arrays: for what happens between steps only, and for what the fix that keeps the engine's springs does with
+/// them. Callbacks that are not known here are harmful.
 bool leaves_discs_alone(const LAMMPS_NS::Fix& fix, int mask);
 
 /// A disc's areal density, where the atom style keeps it beside the mass.

@@ -12,7 +12,9 @@
 #include "group.h"
 #include "io/error.h"
 #include "io/frame_stream.h"
+#include "io/nearest_name.h"
 #include "mikromakro_version.h"
+#include "options/value_checks.h"
 #include "update.h"
 
 namespace mikromakro::styles {
@@ -28,6 +30,15 @@ std::string option_name(const std::string& word) {
   return name;
 }
 
+// An unknown word, and the option that was meant.
+std::string with_guess(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> words = {"file"};
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) words.push_back(name);
+  for (std::string& name : words) std::replace(name.begin(), name.end(), '-', '_');
+  return in_quotes_with_guess(word, std::vector<std::string_view>(words.begin(), words.end()));
+}
+
 std::vector<std::string> names_at(const std::vector<std::string>& names, LAMMPS_NS::bigint step) {
   std::vector<std::string> files = names;
   for (std::string& file : files) {
@@ -35,16 +46,6 @@ std::vector<std::string> names_at(const std::vector<std::string>& names, LAMMPS_
     if (star != std::string::npos) file.replace(star, 1, std::to_string(step));
   }
   return files;
-}
-
-std::string names_of(const CLI::App& app) {
-  std::string names = "file";
-  for (const CLI::Option* option : app.get_options()) {
-    std::string name = option->get_single_name();
-    std::replace(name.begin(), name.end(), '-', '_');
-    names += " " + name;
-  }
-  return names;
 }
 
 /// Puts the dashes in front of the options. A word that is no option has to be a value of the one before.
@@ -56,7 +57,7 @@ void name_options(const CLI::App& app, std::vector<std::string>& words) {
     const CLI::Option* option = app.get_option_no_throw(name);
     if (!option && values-- <= 0)
       throw bad_input({"options"}, "unknown option", "those of `mikromakro average` without dashes",
-                      in_quotes(word) + did_you_mean(word, names_of(app)));
+                      with_guess(app, word));
     if (!option) continue;
     if (name != "--out" && !seen.insert(name).second)
       throw bad_input({"options"}, "an option is given twice", word + " once", "it again");
@@ -104,10 +105,16 @@ void FixAveMicromacro::parse(std::vector<std::string> words) {
   CLI::App app;
   app.set_help_flag();
   add_average_options(app, options_);
+  check_numbers(app);
   name_options(app, words);
   // The parser takes its arguments from the back.
   std::reverse(words.begin(), words.end());
-  app.parse(words);
+  try {
+    app.parse(words);
+  } catch (const CLI::ParseError& error) {
+    throw Error(Error::Kind::bad_input,
+                complaint(app, error, "those of `mikromakro average` without dashes"));
+  }
 }
 
 int FixAveMicromacro::calls_wanted() const {

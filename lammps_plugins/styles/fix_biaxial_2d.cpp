@@ -118,7 +118,6 @@ void FixBiaxial2d::final_integrate() {
     if (wall.control.kind == Kind::stress) {
       wall.motion = physics::servo_kick(wall.motion, force_on(side),
                                         {wall.control.mass, wall.control.damping}, update->dt);
-      wall.contact_velocity = wall.motion.velocity;
     }
     wall.work -= outward[side] * 0.5 * (wall.previous_pressing + wall.pressing) *
                  (wall.motion.position - wall.previous_position);

@@ -50,15 +50,16 @@ void FixBottomFriction::reset_dt() {
   }
 }
 
-/// Where the state is open, velocities and forces are in the rows, and nothing waits in the engine.
+/// Velocities are those that contacts see. Where the state is open, forces are in the rows, and nothing waits
+/// in the engine.
 double FixBottomFriction::apply() {
   const bool open = packed_ && packed_->open;
   if (open) law_->complete_step();
   double power = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const physics::PlaneVector v =
-        open ? packed_->discs[i].velocity() : physics::PlaneVector{atom->v[i][0], atom->v[i][1]};
+    const auto* seen = law_ ? law_->seen(i) : nullptr;
+    const auto v = seen ? seen->velocity() : physics::PlaneVector{atom->v[i][0], atom->v[i][1]};
     const auto force = physics::bottom_friction(mu_b_ * g_ * atom->rmass[i], v, v_0_);
     if (open) {
       packed_->loads[i].add_force(force.x, force.y);

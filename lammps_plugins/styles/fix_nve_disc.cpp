@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include <mpi.h>
@@ -26,20 +27,30 @@ FixNveDisc::FixNveDisc(LAMMPS* engine, int narg, char** arg)
     : FixOfEngine(engine, narg, arg), last_forces_(*engine) {
   time_integrate = 1;
   restart_global = restart_peratom = 1;
-  has_values_of_atoms(size_of_half_step + LastForces::values);
-  Arguments arguments(*lmp, "fix nve/disc", narg, arg, 3);
-  while (arguments.more()) {
-    if (!arguments.take_once("velocity"))
-      arguments.unexpected("'velocity predicted' or 'velocity half_step'");
-    predicted_ = arguments.take("predicted");
-    if (!predicted_ && !arguments.take("half_step"))
-      arguments.unexpected("'predicted' or 'half_step' after 'velocity'");
-  }
+  has_values_of_atoms(size_of_half_step + size_of_prediction + LastForces::values);
+  has_values_of_ghosts(size_of_prediction);
+  read_options(narg, arg);
   if (!stores_discs(*atom))
     error->all(FLERR, (std::string("fix nve/disc: needs 'atom_style ") + disc_atom_style + "'").c_str());
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   atom->add_callback(1);
+}
+
+void FixNveDisc::read_options(int narg, char** arg) {
+  Arguments arguments(*lmp, "fix nve/disc", narg, arg, 3);
+  while (arguments.more()) {
+    if (arguments.take_once("velocity")) {
+      predicted_ = arguments.take("predicted");
+      if (!predicted_ && !arguments.take("half_step"))
+        arguments.unexpected("'predicted' or 'half_step' after 'velocity'");
+    } else if (arguments.take_once("fused")) {
+      fused_ = arguments.take("on");
+      if (!fused_ && !arguments.take("off")) arguments.unexpected("'on' or 'off' after 'fused'");
+    } else {
+      arguments.unexpected("'velocity predicted', 'velocity half_step', 'fused on' or 'fused off'");
+    }
+  }
 }
 
 FixNveDisc::~FixNveDisc() {
@@ -49,18 +60,28 @@ FixNveDisc::~FixNveDisc() {
 
 int FixNveDisc::setmask() {
   return FixConst::INITIAL_INTEGRATE | FixConst::POST_INTEGRATE | FixConst::PRE_EXCHANGE |
-         FixConst::FINAL_INTEGRATE;
+         FixConst::PRE_FORCE | FixConst::FINAL_INTEGRATE;
+}
+
+/// What every run of this fix needs; a minimisation moves discs by itself.
+void FixNveDisc::check_run() const {
+  if (domain->dimension != 2)
+    error->all(FLERR, "fix nve/disc: discs live in two dimensions; put 'dimension 2' before the box");
+  if (update->whichflag != 1) return;
+  if (std::strncmp(update->integrate_style, "verlet", 6) != 0)
+    stop(*lmp, "fix nve/disc", std::string("expected 'run_style verlet', got ") + update->integrate_style);
+  if (!(update->dt > 0)) stop(*lmp, "fix nve/disc", "expected a time step > 0, got " + text_of(update->dt));
 }
 
 void FixNveDisc::init() {
-  if (domain->dimension != 2)
-    error->all(FLERR, "fix nve/disc: discs live in two dimensions; put 'dimension 2' before the box");
-  step_complete_ = false;
+  check_run();
+  step_complete_ = half_steps_wait_ = false;
+  prediction_ = Prediction::none;
   next_question_ = 0;
   law_ = active_disc_law(*lmp);
   packed_ = law_ ? &law_->packed_discs() : nullptr;
-  if (!packed_) return;
-  packed_->may_stay_open = predicted_ && may_stay_open(*lmp, *this);
+  predicts_ = law_ && predicted_ && law_->velocities_predicted();
+  if (packed_) packed_->may_stay_open = predicts_ && fused_ && may_stay_open(*lmp, *this);
 }
 
 /// The engine sorts and exchanges atoms before the first step.
@@ -88,6 +109,7 @@ void FixNveDisc::find_members() {
 void FixNveDisc::begin_step() {
   const double dt = update->dt;
   for (int i = 0; i < atom->nlocal; ++i) {
+    if (predicts_) predictions_[i].values = Four{0, 0, 0, 0};
     if (!(atom->mask[i] & groupbit)) continue;
     double *x = atom->x[i], *v = atom->v[i], *omega = atom->omega[i];
     const double kick = dt / 2 / atom->rmass[i];
@@ -99,14 +121,42 @@ void FixNveDisc::begin_step() {
     omega[2] += domega;
     x[0] += dt * v[0];
     x[1] += dt * v[1];
-    if (predicted_) {
-      half_steps_[i].values = Four{v[0], v[1], omega[2], kick};
-      spin_kicks_[i] = spin_kick;
-      v[0] += dv_x;
-      v[1] += dv_y;
-      omega[2] += domega;
-    }
+    if (predicts_) predictions_[i].values = Four{dv_x, dv_y, domega, 0};
   }
+}
+
+void FixNveDisc::send_to_ghosts() {
+  if (comm->nprocs > 1 || atom->nghost > 0) comm->forward_comm_fix(this);
+}
+
+/// Others may have set velocities since the first half-kick, and discs have come from other ranks.
+void FixNveDisc::pre_force(int /*vflag*/) {
+  if (!predicts_ || half_steps_wait_) return;
+  send_to_ghosts();
+  prediction_ = Prediction::differences;
+}
+
+void FixNveDisc::predict(std::vector<physics::DiscRow>& rows, int first) const {
+  if (prediction_ == Prediction::none) return;
+  const bool adds = prediction_ == Prediction::differences;
+  const int count = static_cast<int>(rows.size());
+  for (int i = first; i < count; ++i) {
+    auto& motion = rows[i].motion;
+    const Four& given = predictions_[i].values;
+    const Four v = adds ? motion + given : given;
+    rows[i].set_motion(v[0], v[1], v[2]);
+  }
+}
+
+/// The step that ends open is the first one: the next begins from here.
+void FixNveDisc::take_half_steps() {
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double kick = update->dt / 2 / atom->rmass[i];
+    half_steps_[i].values = Four{atom->v[i][0], atom->v[i][1], atom->omega[i][2], kick};
+    spin_kicks_[i] = 2 * kick / (atom->radius[i] * atom->radius[i]);
+  }
+  half_steps_wait_ = true;
 }
 
 namespace {
@@ -153,7 +203,7 @@ FOR_EACH_PROCESSOR void move_discs(OpenStep& step, int before) {
 /// As begin_step(), from rows that nobody has looked at since the forces of the last step were evaluated.
 void FixNveDisc::go_on() {
   if (!members_known_) find_members();
-  static_assert(sizeof(HalfStep) == sizeof(Four));
+  static_assert(sizeof(OfDisc) == sizeof(Four));
   OpenStep step{members_.data(),      static_cast<int>(members_.size()),
                 update->dt,           &half_steps_.data()->values,
                 spin_kicks_.data(),   packed_->discs.data(),
@@ -204,8 +254,12 @@ void FixNveDisc::pre_exchange() {
 }
 
 void FixNveDisc::final_integrate() {
-  if (packed_ && packed_->open) return;
-  end_step();
+  prediction_ = Prediction::none;
+  if (!packed_ || !packed_->open) {
+    end_step();
+  } else if (!half_steps_wait_) {
+    take_half_steps();
+  }
 }
 
 void FixNveDisc::end_step() {
@@ -215,11 +269,12 @@ void FixNveDisc::end_step() {
     double *v = atom->v[i], *omega = atom->omega[i];
     const double kick = dt / 2 / atom->rmass[i];
     const double spin_kick = 2 * kick / (atom->radius[i] * atom->radius[i]);
-    const Four half = predicted_ ? half_steps_[i].values : Four{v[0], v[1], omega[2], 0};
+    const Four half = half_steps_wait_ ? half_steps_[i].values : Four{v[0], v[1], omega[2], 0};
     v[0] = half[0] + kick * atom->f[i][0];
     v[1] = half[1] + kick * atom->f[i][1];
     omega[2] = half[2] + spin_kick * atom->torque[i][2];
   }
+  half_steps_wait_ = false;
   note_end_of_step();
 }
 
@@ -231,7 +286,7 @@ void FixNveDisc::post_run() {
     law_->keep_springs_with_atoms();
     end_step();
   }
-  if (step_complete_ && update->ntimestep != update->laststep) last_forces_.keep(groupbit);
+  keep_last_forces();
 }
 
 }  // namespace mikromakro::styles

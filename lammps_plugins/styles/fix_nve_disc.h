@@ -13,22 +13,23 @@ namespace mikromakro::styles {
 class DiscLaw;
 struct PackedDiscs;
 
-/// fix ID group nve/disc [velocity predicted | half_step]
+/// fix ID group nve/disc [velocity predicted | half_step] [fused on | off]
 ///
-/// m dv/dt = f, I domega/dt = T with I = m a^2 / 2. Forces that depend on velocities are evaluated with the
-/// velocities of the same instant as the positions: between the two half-kicks the atoms carry the prediction
-/// v(t) + dt f(t)/m, which differs from the final velocity by O(dt^2), and the half-kicked velocity waits in
-/// this fix. `velocity half_step` is what the stock integrators do: the dashpot then sees v(t + dt/2), an
-/// error of order gamma dt / 2m.
+/// m dv/dt = f, I domega/dt = T with I = m a^2 / 2. Between the two half-kicks of a step the engine's arrays
+/// hold the velocities of the half step, as with the stock integrators, so that other fixes read and set what
+/// they do there. Contacts of the disc law, smooth walls and the bottom see velocities of the same instant as
+/// the positions: this fix keeps for each disc the difference to the prediction v(t) + dt f(t)/m, which
+/// differs from the final velocity by O(dt^2), and adds it in the rows of packed_discs.h. `velocity half_step`
+/// is what the stock integrators do: the dashpot then sees v(t + dt/2), an error of order gamma dt / 2m.
 ///
-/// A run goes on with the forces of the last step, also from a restart file if the fix has the same id there:
-/// on the same number of ranks it repeats, bit for bit, the run that was not interrupted but wrote its file
-/// on the way (`restart N FILE`; the engine builds the neighbour list anew in such a step, as the set-up of a
-/// run does). Forces that a script adds between two runs act from the new run's first evaluation on, half a
-/// step later.
+/// A run goes on with the forces of the last step, also from a restart file if the fix has the same id there,
+/// where nothing has changed since (last_forces.h): on the same number of ranks it repeats, bit for bit, the
+/// run that was not interrupted but wrote its file on the way (`restart N FILE`; the engine builds the
+/// neighbour list anew in such a step, as the set-up of a run does).
 ///
-/// Where nobody looks at a disc between two steps, this fix does the final half-kick of a step together with
-/// the first one of the next (packed_discs.h): the same arithmetic, and the same bits.
+/// Where nobody acts on a disc or looks at it between two steps, this fix does the final half-kick of a step
+/// together with the first one of the next (packed_discs.h): the same arithmetic, and the same bits. `fused
+/// off` keeps the two apart in all steps.
 class FixNveDisc : public FixOfEngine {
  public:
   FixNveDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
@@ -37,14 +38,18 @@ class FixNveDisc : public FixOfEngine {
   FixNveDisc& operator=(const FixNveDisc&) = delete;
 
   bool predicts_velocities() const { return predicted_; }
+  /// Turns velocities of the engine's arrays into those that contacts see, in the rows from `first` on.
+  void predict(std::vector<physics::DiscRow>& rows, int first) const;
 
   int setmask() override;
   void init() override;
   void setup(int vflag) override;
   void setup_pre_exchange() override;
+  void setup_pre_force(int vflag) override;
   void initial_integrate(int vflag) override;
   void post_integrate() override;
   void pre_exchange() override;
+  void pre_force(int vflag) override;
   void final_integrate() override;
   void post_run() override;
 
@@ -62,33 +67,51 @@ class FixNveDisc : public FixOfEngine {
   int size_restart(int nlocal) override;
   int maxsize_restart() override;
 
+ protected:
+  void pack_for_ghost(int i, double* buffer) const override;
+  void unpack_for_ghost(int i, const double* buffer) override;
+
  private:
+  void read_options(int narg, char** arg);
+  void check_run() const;
   /// Before the first half-kick of a step, and after the second one of a step that ends closed.
   void go_on_from_last_run();
   void note_end_of_step();
+  void keep_last_forces();
   void find_members();
+  void send_to_ghosts();
   void begin_step();
+  void take_half_steps();
   void go_on();
   void end_step();
   bool neighbours_suffice();
 
-  bool predicted_ = true;
+  bool predicted_ = true, fused_ = true;
+  bool predicts_ = false;  // in this run: the disc law asks for predictions
   DiscLaw* law_ = nullptr;
   PackedDiscs* packed_ = nullptr;
-  // Of each owned atom, between the two half-kicks and between the steps of an open state.
-  struct HalfStep {
-    physics::Four values;  // v_x, v_y [m/s], spin [1/s]; dt / 2m, which turns a force into a half-kick
+  // What predict() does with the numbers of each disc, owned or ghost: nothing outside of the two half-kicks;
+  // in a step, adds them to v_x, v_y and the spin; in the set-up of a run that goes on, replaces these.
+  enum class Prediction { none, differences, velocities };
+  Prediction prediction_ = Prediction::none;
+  struct OfDisc {
+    physics::Four values;
   };
-  static constexpr int size_of_half_step = 5;  // numbers that go with a disc to another rank
-  std::vector<HalfStep> half_steps_;
-  std::vector<double> spin_kicks_;     // dt / 2I
+  std::vector<OfDisc> predictions_;
+  // Of each owned atom, between the steps of an open state: v_x, v_y [m/s], spin [1/s] of the half step; dt /
+  // 2m, which turns a force into a half-kick; and dt / 2I.
+  static constexpr int size_of_half_step = 5, size_of_prediction = 3;  // numbers that go to another rank
+  std::vector<OfDisc> half_steps_;
+  std::vector<double> spin_kicks_;
+  bool half_steps_wait_ = false;       // the velocities of the half step are here and not in the engine
   std::vector<int> members_, others_;  // local numbers of the discs of the group, and of all others
   std::vector<int> seen_elsewhere_;    // local numbers of discs that have ghosts
   bool members_known_ = false;
   LAMMPS_NS::bigint next_question_ = 0;  // the step of it; see neighbours_suffice()
   LastForces last_forces_;
-  bool resumes_ = false;        // the next step is the first of a run
-  bool step_complete_ = false;  // forces and velocities are those of the end of a step
+  bool resumes_ = false;                // the next step is the first of a run that goes on
+  bool step_complete_ = false;          // forces and velocities are those of the end of a step
+  LAMMPS_NS::bigint seen_step_ = -1;    // the last forces know what was seen in this step
 };
 
 }  // namespace mikromakro::styles

@@ -4,6 +4,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "disc_law.h"
+#include "domain.h"
 #include "engine_access.h"
 #include "fix_nve_disc.h"
 #include "update.h"
@@ -11,9 +12,26 @@
 namespace mikromakro::styles {
 
 using namespace LAMMPS_NS;
+using physics::Four;
+
+/// Whether the run goes on is decided before forces are evaluated, which then see the velocities of the last
+/// evaluation. Where the box carries velocities across its boundaries, ghosts do not have those of their
+/// discs.
+void FixNveDisc::setup_pre_force(int /*vflag*/) {
+  prediction_ = Prediction::none;
+  resumes_ = law_ && !domain->deform_vremap && last_forces_.nothing_changed();
+  if (!resumes_) return;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const auto& [v_x, v_y, spin] = last_forces_.seen(i);
+    predictions_[i].values = Four{v_x, v_y, spin, 0};
+  }
+  send_to_ghosts();
+  prediction_ = Prediction::velocities;
+}
 
 void FixNveDisc::setup(int /*vflag*/) {
-  resumes_ = true;
+  prediction_ = Prediction::none;
+  members_known_ = false;
 }
 
 /// A run that starts from the file of this step will sort its discs in its set-up.
@@ -21,12 +39,23 @@ void FixNveDisc::go_on_from_last_run() {
   if (update->ntimestep == next_restart_step(*lmp)) atom->nextsort = update->ntimestep;
   if (!resumes_) return;
   resumes_ = false;
-  last_forces_.restore(groupbit);
+  last_forces_.restore(groupbit, law_->strongest_contact());
 }
 
+/// Somebody may evaluate forces once more before the step is kept.
 void FixNveDisc::note_end_of_step() {
   step_complete_ = true;
-  if (update->ntimestep == update->laststep) last_forces_.keep(groupbit);
+  const bool may_be_kept = update->ntimestep == update->laststep || is_asked_to_stop() ||
+                           writes_restart_at(*lmp, update->ntimestep);
+  if (!may_be_kept || !law_ || packed_->discs.size() < static_cast<std::size_t>(atom->nlocal)) return;
+  last_forces_.see(packed_->discs.data());
+  seen_step_ = update->ntimestep;
+}
+
+void FixNveDisc::keep_last_forces() {
+  if (!step_complete_ || !law_ || packed_->discs.size() < static_cast<std::size_t>(atom->nlocal)) return;
+  if (seen_step_ != update->ntimestep) last_forces_.see(packed_->discs.data());
+  last_forces_.keep();
 }
 
 /// Within a run, the engine writes the springs as they were when the neighbour list was built, and has no
@@ -34,41 +63,56 @@ void FixNveDisc::note_end_of_step() {
 /// may move atoms between the ranks, so that atom->f is no longer theirs.
 void FixNveDisc::write_restart(FILE* file) {
   if (step_complete_) {
-    last_forces_.keep(groupbit);
+    keep_last_forces();
     if (law_) law_->keep_springs_with_atoms();
   }
   if (comm->me != 0) return;
-  constexpr int format = 1, size = sizeof format;
+  constexpr int format = 2, size = sizeof format;
   std::fwrite(&size, sizeof size, 1, file);
   std::fwrite(&format, sizeof format, 1, file);
 }
 
 void FixNveDisc::grow_arrays(int nmax) {
+  predictions_.resize(nmax);
   half_steps_.resize(nmax);
   spin_kicks_.resize(nmax);
   last_forces_.grow(nmax);
 }
 
 void FixNveDisc::set_arrays(int i) {
+  predictions_[i].values = Four{0, 0, 0, 0};
   last_forces_.forget(i);
 }
 
 void FixNveDisc::copy_arrays(int from, int to, int /*delflag*/) {
+  predictions_[to] = predictions_[from];
   half_steps_[to] = half_steps_[from];
   spin_kicks_[to] = spin_kicks_[from];
   last_forces_.copy(from, to);
 }
 
+void FixNveDisc::pack_for_ghost(int i, double* buffer) const {
+  for (int k = 0; k < size_of_prediction; ++k) buffer[k] = predictions_[i].values[k];
+}
+
+void FixNveDisc::unpack_for_ghost(int i, const double* buffer) {
+  predictions_[i].values = Four{buffer[0], buffer[1], buffer[2], 0};
+}
+
 int FixNveDisc::pack_exchange(int i, double* buffer) {
-  std::memcpy(buffer, &half_steps_[i], sizeof(HalfStep));
+  std::memcpy(buffer, &half_steps_[i], sizeof(OfDisc));
   buffer[size_of_half_step - 1] = spin_kicks_[i];
-  return size_of_half_step + last_forces_.pack(i, buffer + size_of_half_step);
+  double* rest = buffer + size_of_half_step;
+  pack_for_ghost(i, rest);
+  return size_of_half_step + size_of_prediction + last_forces_.pack(i, rest + size_of_prediction);
 }
 
 int FixNveDisc::unpack_exchange(int i, double* buffer) {
-  std::memcpy(&half_steps_[i], buffer, sizeof(HalfStep));
+  std::memcpy(&half_steps_[i], buffer, sizeof(OfDisc));
   spin_kicks_[i] = buffer[size_of_half_step - 1];
-  return size_of_half_step + last_forces_.unpack(i, buffer + size_of_half_step);
+  const double* rest = buffer + size_of_half_step;
+  unpack_for_ghost(i, rest);
+  return size_of_half_step + size_of_prediction + last_forces_.unpack(i, rest + size_of_prediction);
 }
 
 int FixNveDisc::pack_restart(int i, double* buffer) {
@@ -80,7 +124,11 @@ void FixNveDisc::unpack_restart(int nlocal, int nth) {
   const double* extra = atom->extra[nlocal];
   int start = 0;
   for (int k = 0; k < nth; ++k) start += static_cast<int>(extra[start]);
-  last_forces_.unpack(nlocal, extra + start + 1);
+  // Files of older versions know less of the last step: their runs go on with the forces of the set-up.
+  if (extra[start] == maxsize_restart())
+    last_forces_.unpack(nlocal, extra + start + 1);
+  else
+    last_forces_.forget(nlocal);
 }
 
 int FixNveDisc::size_restart(int /*nlocal*/) {
@@ -92,7 +140,7 @@ int FixNveDisc::maxsize_restart() {
 }
 
 double FixNveDisc::memory_usage() {
-  return static_cast<double>(half_steps_.size() * (sizeof(HalfStep) + sizeof(double))) +
+  return static_cast<double>(half_steps_.size() * (2 * sizeof(OfDisc) + sizeof(double))) +
          last_forces_.memory_usage();
 }
 

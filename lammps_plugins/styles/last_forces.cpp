@@ -1,7 +1,9 @@
 #include "last_forces.h"
 
-#include <algorithm>
+#include <mpi.h>
+
 #include <cmath>
+#include <cstring>
 
 #include "atom.h"
 #include "domain.h"
@@ -20,14 +22,20 @@ bool same_place(double a, double b, bool periodic, double period) {
 
 }  // namespace
 
-void LastForces::keep(int group_bit) {
+void LastForces::see(const physics::DiscRow* rows) {
+  for (int i = 0; i < engine_.atom->nlocal; ++i) {
+    for (int k = 0; k < 3; ++k) kept_[i].seen[k] = rows[i].motion[k];
+  }
+}
+
+void LastForces::keep() {
   const auto& atom = *engine_.atom;
   for (int i = 0; i < atom.nlocal; ++i) {
-    if (!(atom.mask[i] & group_bit)) continue;
-    kept_[i] = {1,
-                {atom.x[i][0], atom.x[i][1]},
-                {atom.v[i][0], atom.v[i][1], atom.omega[i][2]},
-                {atom.f[i][0], atom.f[i][1], atom.torque[i][2]}};
+    Kept& kept = kept_[i];
+    kept.discs = static_cast<double>(atom.natoms);
+    kept.shape = {atom.x[i][0], atom.x[i][1], atom.radius[i], static_cast<double>(atom.type[i])};
+    kept.motion = {atom.v[i][0], atom.v[i][1], atom.omega[i][2]};
+    kept.load = {atom.f[i][0], atom.f[i][1], atom.torque[i][2]};
   }
 }
 
@@ -35,34 +43,44 @@ bool LastForces::unchanged(int i) const {
   const auto& atom = *engine_.atom;
   const auto& domain = *engine_.domain;
   const Kept& kept = kept_[i];
-  if (kept.valid == 0 || kept.motion[0] != atom.v[i][0] || kept.motion[1] != atom.v[i][1] ||
-      kept.motion[2] != atom.omega[i][2])
-    return false;
-  return same_place(kept.x[0], atom.x[i][0], domain.xperiodic != 0, domain.prd[0]) &&
-         same_place(kept.x[1], atom.x[i][1], domain.yperiodic != 0, domain.prd[1]);
+  return kept.discs == static_cast<double>(atom.natoms) && kept.motion[0] == atom.v[i][0] &&
+         kept.motion[1] == atom.v[i][1] && kept.motion[2] == atom.omega[i][2] &&
+         kept.shape[2] == atom.radius[i] && kept.shape[3] == atom.type[i] &&
+         same_place(kept.shape[0], atom.x[i][0], domain.xperiodic != 0, domain.prd[0]) &&
+         same_place(kept.shape[1], atom.x[i][1], domain.yperiodic != 0, domain.prd[1]);
 }
 
-void LastForces::restore(int group_bit) const {
+bool LastForces::nothing_changed() const {
+  int same = 1;
+  for (int i = 0; i < engine_.atom->nlocal && same; ++i) same = unchanged(i) ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, engine_.world);
+  return same != 0;
+}
+
+void LastForces::restore(int group_bit, double contact_force) const {
+  // A force is a sum of some contacts, each right to 1e-16; what is lost where they cancel is theirs.
+  constexpr double of_sum = 1e-8, of_contacts = 1e-13;
   const auto& atom = *engine_.atom;
   for (int i = 0; i < atom.nlocal; ++i) {
-    if (!(atom.mask[i] & group_bit) || !unchanged(i)) continue;
-    atom.f[i][0] = kept_[i].load[0];
-    atom.f[i][1] = kept_[i].load[1];
-    atom.torque[i][2] = kept_[i].load[2];
+    if (!(atom.mask[i] & group_bit)) continue;
+    const auto& [f_x, f_y, torque] = kept_[i].load;
+    double *f = atom.f[i], *t = atom.torque[i];
+    const double rounding = of_sum * std::hypot(f_x, f_y) + of_contacts * contact_force;
+    const double of_torque = of_sum * std::abs(torque) + rounding * atom.radius[i];
+    if (!(std::hypot(f[0] - f_x, f[1] - f_y) <= rounding && std::abs(t[2] - torque) <= of_torque)) continue;
+    f[0] = f_x;
+    f[1] = f_y;
+    t[2] = torque;
   }
 }
 
 int LastForces::pack(int i, double* buffer) const {
-  const Kept& k = kept_[i];
-  const double numbers[values] = {k.valid,     k.x[0],    k.x[1],    k.motion[0], k.motion[1],
-                                  k.motion[2], k.load[0], k.load[1], k.load[2]};
-  std::copy_n(numbers, values, buffer);
+  std::memcpy(buffer, &kept_[i], sizeof(Kept));
   return values;
 }
 
 int LastForces::unpack(int i, const double* buffer) {
-  const double* b = buffer;
-  kept_[i] = {b[0], {b[1], b[2]}, {b[3], b[4], b[5]}, {b[6], b[7], b[8]}};
+  std::memcpy(static_cast<void*>(&kept_[i]), buffer, sizeof(Kept));
   return values;
 }
 

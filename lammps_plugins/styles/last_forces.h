@@ -2,7 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
+
+#include "physics/disc_rows.h"
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -10,24 +13,33 @@ class LAMMPS;
 
 namespace mikromakro::styles {
 
-/// Forces and torques that discs had at the end of a step, for the first half-kick of the run that continues
-/// from there, in the same process or from a restart file.
+/// Forces and torques that discs had at the end of a step, and the velocities that these forces depended on,
+/// for the first half-kick of the run that continues from there, in the same process or from a restart file.
 ///
-/// The set-up of a run evaluates the forces again: dashpots then see the final velocities and not the
-/// predicted ones, and a spring that slides is rounded once more. A run that went on with those forces would
-/// not be the one that was never interrupted.
+/// The set-up of a run evaluates forces anew. Where no disc has changed since, contacts see the velocities of
+/// the last evaluation once more, and so the same forces result, but for the rounding of a spring that slides.
+/// A disc whose force is the same in this sense goes on with the last bits of it, so that the run is the one
+/// that was never interrupted. Whatever else has changed, a constant, a neighbour or a fix of any kind, shows
+/// in the force itself, and then the new one counts, as in stock engines.
 class LastForces {
  public:
   explicit LastForces(LAMMPS_NS::LAMMPS& engine) : engine_(engine) {}
 
-  /// Notes the discs of the group as they are at the end of this step.
-  void keep(int group_bit);
+  /// Notes the velocities that forces depended on: those in the rows of the owned discs.
+  void see(const physics::DiscRow* rows);
+  /// Notes the discs as they are at the end of this step. After see().
+  void keep();
 
-  /// Gives the noted forces to those discs of the group that are still where they were, as fast as they were.
-  void restore(int group_bit) const;
+  /// Whether every disc of all ranks is as it was when it was kept, and none is missing or new.
+  bool nothing_changed() const;
+  const std::array<double, 3>& seen(int i) const { return kept_[i].seen; }
+
+  /// Gives the noted forces to those discs of the group that have the same ones to rounding. contact_force: of
+  /// the strongest contacts [N], for their rounding.
+  void restore(int group_bit, double contact_force) const;
 
   // Per-atom storage, as the engine asks for it.
-  static constexpr int values = 9;
+  static constexpr int values = 14;
   void grow(int count) { kept_.resize(count); }
   void copy(int from, int to) { kept_[to] = kept_[from]; }
   void forget(int i) { kept_[i] = {}; }
@@ -37,10 +49,13 @@ class LastForces {
 
  private:
   struct Kept {
-    double valid = 0;
-    std::array<double, 2> x{};
-    std::array<double, 3> motion{}, load{};  // v_x, v_y, omega; f_x, f_y, torque
+    double discs = 0;  // in the whole system; 0: nothing is known
+    std::array<double, 4> shape{};   // x, y, radius, type
+    std::array<double, 3> motion{};  // v_x, v_y, omega
+    std::array<double, 3> seen{};    // the same when forces were evaluated
+    std::array<double, 3> load{};    // f_x, f_y, torque
   };
+  static_assert(sizeof(Kept) == values * sizeof(double));
   bool unchanged(int i) const;
 
   LAMMPS_NS::LAMMPS& engine_;

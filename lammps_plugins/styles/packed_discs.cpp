@@ -9,6 +9,7 @@
 #include "fix_bottom_friction.h"
 #include "fix_couette_2d.h"
 #include "fix_wall_disc.h"
+#include "force.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "output.h"
@@ -32,11 +33,19 @@ bool may_act(const Fix& fix, int mask) {
   return leaves_discs_alone(fix, mask & ~in_rows);
 }
 
+/// Bonds and their like, and forces of long range, which the engine adds after those of the pair style.
+bool others_add_forces(const Force& force) {
+  return force.bond || force.angle || force.dihedral || force.improper || force.kspace;
+}
+
 }  // namespace
 
 bool may_stay_open(LAMMPS& engine, const Fix& integrator) {
+  constexpr int run = 1;  // and no minimisation
+  const Update& update = *engine.update;
+  if (update.whichflag != run || std::strcmp(update.integrate_style, "verlet") != 0) return false;
+  if (others_add_forces(*engine.force)) return false;
   const Modify& modify = *engine.modify;
-  if (std::strcmp(engine.update->integrate_style, "verlet") != 0) return false;
   for (int k = 0; k < modify.nfix; ++k) {
     if (modify.fix[k] != &integrator && !may_act(*modify.fix[k], modify.fmask[k])) return false;
   }

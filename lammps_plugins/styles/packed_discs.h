@@ -4,7 +4,8 @@
 // Between two time steps the final half-kick of one and the first half-kick of the next can be done in one go
 // from the rows: forces are evaluated with velocities that were predicted for their instant, so nobody misses
 // the velocities of the end of a step but those who look at them. The state is then "open": engine arrays
-// hold positions, but neither velocities nor forces. It is closed wherever somebody looks.
+// hold neither velocities nor forces, and positions only of discs that have ghosts. It is closed wherever
+// somebody looks, and never opened where anybody may act within a step.
 #pragma once
 
 #include <vector>
@@ -37,8 +38,9 @@ struct PackedDiscs {
 };
 
 /// Whether nothing but the pair style, fix nve/disc (the integrator), fix couette/2d, fix biaxial/2d and fix
-/// bottom/friction needs discs within a step, so that the state may stay open. Other fixes and computes that
-/// only look at the end of certain steps do no harm.
+/// bottom/friction acts on discs or needs them within a step, so that the state may stay open. Nobody else is
+/// known by name: what the engine calls within a step, and what is not known to leave discs alone, closes.
+/// Fixes and computes that only look, or act, at the end of certain steps do no harm in the others.
 bool may_stay_open(LAMMPS_NS::LAMMPS& engine, const LAMMPS_NS::Fix& integrator);
 
 /// Whether the engine is going to build its neighbour lists in this step, however far discs have moved.

@@ -127,9 +127,10 @@ void SmoothWalls::find_near(const std::vector<physics::SmoothWall>& walls) {
 }
 
 physics::MovingDisc SmoothWalls::disc(int i) const {
-  if (law_ && law_->packed_discs().open) {
-    const auto& row = law_->packed_discs().discs[i];
-    return {{row.x(), row.y()}, row.velocity(), row.spin(), row.radius()};
+  if (const auto* row = law_ ? law_->seen(i) : nullptr) {
+    // Without friction rows have no spin.
+    const double spin = law_->effects().tangential == Tangential::none ? atom->omega[i][2] : row->spin();
+    return {{row->x(), row->y()}, row->velocity(), spin, row->radius()};
   }
   const double *x = atom->x[i], *v = atom->v[i];
   return {{x[0], x[1]}, {v[0], v[1]}, atom->omega[i][2], atom->radius[i]};

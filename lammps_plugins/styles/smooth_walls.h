@@ -45,7 +45,7 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   /// On the discs of this rank, by the last apply().
   const std::vector<physics::WallLoad>& loads() const { return loads_; }
   bool append_contacts(int group_bit, std::vector<ContactRow>& rows) const;
-  /// A disc as it is now: in its row, where the state is open.
+  /// A disc as contacts see it in this step: in its row, once they have been evaluated.
   physics::MovingDisc disc(int i) const;
   /// The atoms carry velocities that were predicted for the instant of their positions.
   bool velocities_predicted() const { return step_.predicted; }

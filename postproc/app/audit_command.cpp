@@ -1,9 +1,32 @@
+#include <cmath>
 #include <memory>
 
 #include "app/audits.h"
 #include "app/commands.h"
+#include "app/coverage.h"
+#include "app/run_constants.h"
+#include "app/warnings.h"
 
 namespace mikromakro {
+namespace {
+
+// With what the files say, and whether there is what is asked for.
+void complete(AuditOptions& options) {
+  const FrameSource source = frame_source(options.input);
+  take_height(source, options.volumes.height);
+  if (options.volumes.height == 0) options.units = {"N/m", "m^2"};
+  options.volumes.height = thickness(options.volumes);
+  FieldChoice stiffness{{"stress"}, {}};
+  if (!std::isnan(options.kn)) stiffness.numbers.normal_stiffness = options.kn;
+  take_stiffness(source, options.volumes.bulk_types, stiffness);
+  if (stiffness.stiffness_of_run > 0) options.kn = stiffness.stiffness_of_run;
+  VolumeOptions volumes = options.volumes;
+  volumes.weight = "sliced";
+  check_before(source, volumes, options.wheel_types);
+  tell(*source.notes);
+}
+
+}  // namespace
 
 void add_audit_command(CLI::App& program) {
   CLI::App* app =
@@ -11,6 +34,7 @@ void add_audit_command(CLI::App& program) {
   auto options = std::make_shared<AuditOptions>();
   add_audit_options(*app, *options);
   app->callback([options] {
+    complete(*options);
     const bool rings = !options->volumes.rings.empty() || !options->volumes.edges.empty();
     reading_again(options->input,
                   [&] { check_bound(rings ? audit_rings(*options) : audit_box(*options), options->bound); });

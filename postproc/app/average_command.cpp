@@ -3,6 +3,8 @@
 #include "app/averaging_run.h"
 #include "app/commands.h"
 #include "app/input_options.h"
+#include "app/memory_need.h"
+#include "app/run_constants.h"
 #include "options/average_options.h"
 
 namespace mikromakro {
@@ -22,6 +24,7 @@ void add_options(CLI::App& app, CommandOptions& options) {
 
 // The averager, and what it is to read.
 struct Task {
+  AverageOptions options;  // with what the files say where they were silent
   std::unique_ptr<const Averager> averager;
   FrameSource source;
   std::unique_ptr<TableOutputs> outputs;  // on rank 0
@@ -29,25 +32,33 @@ struct Task {
 
 Task task_of(const CommandOptions& options, const Ranks& ranks) {
   Task task;
-  task.averager = make_averager(options.average);
+  task.options = options.average;
+  VolumeOptions& volumes = task.options.volumes;
+  const FrameSource files = frame_source(options.input);
+  take_height(files, volumes.height);
+  take_stiffness(files, volumes.bulk_types, task.options.fields);
+  task.averager = make_averager(task.options);
+  check_memory({static_cast<double>(task.averager->volume_count() * task.averager->sum_count()),
+                threads_of(options.run, ranks), static_cast<double>(task.options.error_blocks)},
+               volume_option(volumes));
   task.source = source_of(options.input, *task.averager);
-  if (ranks.first()) task.outputs = std::make_unique<TableOutputs>(options.average.out);
+  task.source.notes = files.notes;
+  if (ranks.first()) task.outputs = std::make_unique<TableOutputs>(task.options.out, files.files());
   return task;
 }
 
 void write(const CommandOptions& options, const Task& task, const Averaged& averaged) {
-  require_frames(averaged, task.source);
   Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " average"}};
   describe_input(options.input, task.source, lines);
-  write_averages(options.average, *task.averager, averaged, std::move(lines), *task.outputs);
+  write_averages(task.options, *task.averager, averaged, std::move(lines), *task.outputs);
 }
 
 void average(const CommandOptions& options, const Ranks& ranks) {
   Task task;
   ranks.agree([&] { task = task_of(options, ranks); });
   const SumFrame sum = [&](const Frame& frame) { return task.averager->frame_sums(frame); };
-  const Averaged averaged =
-      average_frames(task.source, sum, TimeAverage(options.average.error_blocks), options.run, ranks);
+  const Averaged averaged = average_frames(task.source, task.options.volumes, sum,
+                                           TimeAverage(task.options.error_blocks), options.run, ranks);
   ranks.agree([&] {
     if (ranks.first()) write(options, task, averaged);
   });

@@ -4,35 +4,52 @@
 #include <atomic>
 #include <thread>
 
+#include "app/coverage.h"
 #include "app/progress.h"
 #include "app/warnings.h"
 #include "io/error.h"
 #include "io/file_list.h"
+#include "options/value_checks.h"
 
 namespace mikromakro {
 namespace {
+
+// What was asked for and is not there; on rank 0.
+void check_found(const FrameSource& source, const VolumeOptions& volumes, const TypesSeen& types,
+                 const Averaged& averaged) {
+  if (averaged.sums.frames() == 0)
+    throw bad_input({source.files().front()}, "no frame is selected",
+                    "frames that --frames and --steps select", "0");
+  check_types(source, "--bulk-types", types);
+  if ((averaged.sums.mean() == 0).all()) check_coverage(source, volumes);
+}
+
+}  // namespace
 
 int threads_of(const RunOptions& options, const Ranks& ranks) {
   if (options.threads > 0) return options.threads;
   return ranks.size() > 1 ? 1 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-}  // namespace
-
 void add_run_options(CLI::App& app, RunOptions& options) {
   app.add_option("--threads", options.threads,
                  "threads, default all of the machine; 1 for each rank under mpirun")
-      ->check(CLI::Range(1, 1024));
+      ->transform(whole_number(1, 1024));
   app.add_flag("--quiet", options.quiet, "no progress bar");
 }
 
-Averaged average_frames(const FrameSource& source, const SumFrame& sum, TimeAverage sums,
-                        const RunOptions& options, const Ranks& ranks) {
+Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes, const SumFrame& sum,
+                        TimeAverage sums, const RunOptions& options, const Ranks& ranks) {
   std::int64_t all_bytes = 0;
   ranks.agree([&] { all_bytes = total_size(source.files()); });
   Progress progress(all_bytes, options.quiet || !ranks.first());
   Averaged averaged{std::move(sums), {}};
   std::atomic<std::int64_t> bytes = 0;
+  TypesSeen types(volumes.bulk_types);
+  const SumFrame look_and_sum = [&](const Frame& frame) {
+    types.look(frame);
+    return sum(frame);
+  };
   const auto read_and_sum = [&](const TakeSums& take) {
     FrameSource own = source;
     own.selection = ranks.own_part(source.settled_selection());
@@ -42,21 +59,18 @@ Averaged average_frames(const FrameSource& source, const SumFrame& sum, TimeAver
       bytes = stream.bytes_read();
       return make;
     };
-    sum_in_order(next, sum, threads_of(options, ranks), take);
+    sum_in_order(next, look_and_sum, threads_of(options, ranks), take);
   };
   ranks.gather_in_order(read_and_sum, [&](const FrameSums& frame) {
     averaged.add(frame.step, frame.sums, frame.run);
     progress.update(bytes, averaged.sums.frames());
   });
   ranks.gather(*source.notes);
+  ranks.agree([&] {
+    if (ranks.first()) check_found(source, volumes, types, averaged);
+  });
   if (ranks.first()) tell(*source.notes);
   return averaged;
-}
-
-void require_frames(const Averaged& averaged, const FrameSource& source) {
-  if (averaged.sums.frames() == 0)
-    throw bad_input({source.files().front()}, "no frame is selected",
-                    "frames that --frames and --steps select", "0");
 }
 
 }  // namespace mikromakro

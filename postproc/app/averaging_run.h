@@ -17,12 +17,12 @@ struct RunOptions {
 
 void add_run_options(CLI::App& app, RunOptions& options);
 
-/// The sums that `sum` makes of the frames, on rank 0; the others give their part. All ranks call it
-/// together. `sums` is an empty average to fill. Rank 0 tells the notes of all. Throws what reading throws.
-Averaged average_frames(const FrameSource& source, const SumFrame& sum, TimeAverage sums,
-                        const RunOptions& options, const Ranks& ranks);
+int threads_of(const RunOptions& options, const Ranks& ranks);
 
-/// Throws where no frame was selected.
-void require_frames(const Averaged& averaged, const FrameSource& source);
+/// The sums that `sum` makes of the frames over `volumes`, on rank 0; the others give their part. All ranks
+/// call it together. `sums` is an empty average to fill. Rank 0 tells the notes of all. Throws what reading
+/// throws, and where no frame was selected or the volumes hold nothing.
+Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes, const SumFrame& sum,
+                        TimeAverage sums, const RunOptions& options, const Ranks& ranks);
 
 }  // namespace mikromakro

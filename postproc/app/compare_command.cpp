@@ -7,6 +7,8 @@
 #include "app/averaging_run.h"
 #include "app/commands.h"
 #include "app/comparison_report.h"
+#include "app/memory_need.h"
+#include "app/run_constants.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "options/field_options.h"
@@ -44,6 +46,8 @@ void add_options(CLI::App& app, CompareOptions& options) {
 
 // What is averaged in one pass.
 struct Task {
+  VolumeOptions volumes;  // with what the files say where the options were silent, fields likewise
+  FieldChoice fields;
   std::vector<int> resolutions;
   std::vector<std::unique_ptr<const Averager>> averagers;  // all weights for each resolution
   FrameSource source;
@@ -60,7 +64,7 @@ void check_list(const std::vector<Value>& values, std::string_view option) {
 }
 
 void add_averager(const CompareOptions& options, const VolumeOptions& volumes, Task& task) {
-  task.averagers.push_back(make_averager(volumes, fields_of(options.fields, volumes)));
+  task.averagers.push_back(make_averager(volumes, fields_of(task.fields, volumes)));
   const Averager& averager = *task.averagers.back();
   FrameSource source = source_of(options.input, averager);
   source.particles_needed |= task.source.particles_needed;
@@ -68,17 +72,35 @@ void add_averager(const CompareOptions& options, const VolumeOptions& volumes, T
   task.source = std::move(source);
 }
 
+void take_what_files_say(const CompareOptions& options, const FrameSource& files, Task& task) {
+  task.volumes = options.volumes;
+  task.fields = options.fields;
+  take_height(files, task.volumes.height);
+  take_stiffness(files, task.volumes.bulk_types, task.fields);
+}
+
+MemoryNeed memory_need(const CompareOptions& options, const Task& task, const Ranks& ranks) {
+  MemoryNeed need{0, threads_of(options.run, ranks), 0};
+  for (const auto& averager : task.averagers)
+    need.numbers += static_cast<double>(averager->volume_count() * averager->sum_count());
+  return need;
+}
+
 Task task_of(const CompareOptions& options, const Ranks& ranks) {
   check_list(options.weights, "--weights");
   check_list(options.resolutions, "--resolutions");
+  if (options.weights.size() < 2 && options.resolutions.size() < 2)
+    throw bad_input({"--weights"}, "there is nothing to compare", "two or more of --weights or --resolutions",
+                    "one of each");
   Task task;
+  const FrameSource files = frame_source(options.input);
+  take_what_files_say(options, files, task);
   task.resolutions = options.resolutions;
   std::vector<VolumeOptions> volumes;
-  for (const int resolution : options.resolutions)
-    volumes.push_back(at_resolution(options.volumes, resolution));
+  for (const int resolution : options.resolutions) volumes.push_back(at_resolution(task.volumes, resolution));
   if (volumes.empty()) {
-    volumes.push_back(options.volumes);
-    task.resolutions.push_back(resolution_of(options.volumes));
+    volumes.push_back(task.volumes);
+    task.resolutions.push_back(resolution_of(task.volumes));
   }
   for (VolumeOptions& each : volumes) {
     for (const std::string& weight : options.weights) {
@@ -86,9 +108,12 @@ Task task_of(const CompareOptions& options, const Ranks& ranks) {
       add_averager(options, each, task);
     }
   }
+  task.source.notes = files.notes;
+  check_memory(memory_need(options, task, ranks), volume_option(task.volumes));
   if (!options.out.empty() && !options.out.ends_with(".csv"))
     throw bad_input({"--out"}, "unknown kind of output file", "a name ending in .csv",
                     in_quotes(options.out));
+  if (!options.out.empty()) check_outputs({options.out}, files.files());
   if (ranks.first() && !options.out.empty()) task.out = std::make_unique<OutputFile>(options.out);
   return task;
 }
@@ -126,16 +151,15 @@ Comparison compare(const CompareOptions& options, const Task& task, const Rows& 
 Preamble preamble_of(const CompareOptions& options, const Task& task, const Averaged& averaged) {
   Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " compare"}};
   describe_input(options.input, task.source, lines);
-  describe_fields(options.fields, lines);
+  describe_fields(task.fields, lines);
   describe_frames(averaged, lines);
-  describe_volumes(options.volumes, lines, false);
+  describe_volumes(task.volumes, lines, false);
   lines.emplace_back("branch", options.volumes.branch.empty() ? "by the weight" : options.volumes.branch);
-  describe_numbers(options.fields, lines);
+  describe_numbers(task.fields, lines);
   return lines;
 }
 
 void report(const CompareOptions& options, const Task& task, const Averaged& averaged) {
-  require_frames(averaged, task.source);
   const Comparison comparison = compare(options, task, averaged.sums.mean());
   if (task.out) task.out->commit(long_csv(preamble_of(options, task, averaged), comparison));
   fmt::print("{}", differences_of_weights(comparison));
@@ -147,7 +171,8 @@ void compare(const CompareOptions& options, const Ranks& ranks) {
   Task task;
   ranks.agree([&] { task = task_of(options, ranks); });
   const SumFrame sum = [&](const Frame& frame) { return all_sums(task, frame); };
-  const Averaged averaged = average_frames(task.source, sum, TimeAverage(0), options.run, ranks);
+  const Averaged averaged =
+      average_frames(task.source, task.volumes, sum, TimeAverage(0), options.run, ranks);
   ranks.agree([&] {
     if (ranks.first()) report(options, task, averaged);
   });

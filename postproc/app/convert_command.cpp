@@ -3,11 +3,13 @@
 #include "app/commands.h"
 #include "app/input_options.h"
 #include "app/progress.h"
+#include "app/run_constants.h"
 #include "app/warnings.h"
 #include "io/error.h"
 #include "io/file_list.h"
 #include "io/output_file.h"
 #include "io/snapshot_writer.h"
+#include "options/value_checks.h"
 
 namespace mikromakro {
 namespace {
@@ -24,9 +26,15 @@ void convert(const ConvertOptions& options) {
     throw bad_input({"--out"}, "unknown kind of output file", "a name ending in .h5", in_quotes(options.out));
   FrameSource source = frame_source(options.input);
   source.particles_needed = column_set(ParticleColumn::id);
+  check_outputs({options.out}, source.files());
   OutputFile file(options.out);
+  file.require_regular();
   Progress progress(total_size(source.files()), options.quiet);
   SnapshotWriter writer(file.temporary(), "mikromakro " MIKROMAKRO_VERSION, options.time_step);
+  // They are said once for all frames.
+  double height = 0;
+  take_height(source, height);
+  if (!source.snapshot_files.empty()) writer.copy_parameters(Hdf5File::open(source.snapshot_files.front()));
   FrameStream stream(source);
   Frame frame;
   std::int64_t frames = 0;
@@ -49,7 +57,7 @@ void add_convert_command(CLI::App& program) {
   add_input_options(*app, options->input);
   app->add_option("--out", options->out, "FILE.h5")->required();
   app->add_option("--timestep", options->time_step, "DT (s): times are written beside the steps")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   app->add_flag("--quiet", options->quiet, "no progress bar");
   app->callback([options] { reading_again(options->input, [&] { convert(*options); }); });
 }

@@ -2,18 +2,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "app/commands.h"
+#include "app/coverage.h"
 #include "app/input_options.h"
 #include "app/progress.h"
+#include "app/run_constants.h"
 #include "app/warnings.h"
 #include "drawing/picture.h"
 #include "io/error.h"
 #include "io/file_list.h"
 #include "io/numbered_name.h"
 #include "io/output_file.h"
+#include "options/value_checks.h"
 
 namespace mikromakro {
 namespace {
@@ -23,6 +25,8 @@ struct DrawOptions {
   std::string out, color;
   std::vector<double> box, range;
   PictureStyle style;
+  double height = 0;        // 0: not given
+  QuantityInfo quantity{};  // that of the style, with the unit that it has here
   bool quiet = false;
 };
 
@@ -35,22 +39,25 @@ void add_options(CLI::App& app, DrawOptions& options) {
                  fmt::format("{}; default velocity, or plain discs under a network or chains",
                              fmt::join(disc_quantity_names(), ", ")));
   app.add_option("--range", options.range, "LOW HIGH: ends of the colours (SI), default from the discs")
-      ->expected(2);
+      ->expected(2)
+      ->allow_extra_args(false);
   app.add_flag("--network", options.style.network, "a thin line for each contact");
   app.add_flag("--chains", options.style.chains,
                "lines as wide as the normal force: compression black, tension red");
   app.add_option("--box", options.box, "XMIN XMAX YMIN YMAX: what is shown (m), default all discs")
-      ->expected(4);
+      ->expected(4)
+      ->allow_extra_args(false);
   app.add_option("--bulk-types", options.style.bulk_types,
                  "types that are coloured, others are grey; default all")
       ->delimiter(',');
-  app.add_option("--height", options.style.height, "thickness of the discs (m), for the pressure; default 1")
-      ->check(CLI::PositiveNumber);
+  app.add_option("--height", options.height,
+                 "thickness of the discs (m), for --color pressure; default that of the snapshots, or none")
+      ->check(positive());
   app.add_option("--width", options.style.width, "of the picture, pixels; default 1600")
-      ->check(CLI::Range(100, 20000));
+      ->transform(whole_number(100, 20000));
   app.add_option("--timestep", options.style.time_step,
                  "DT (s): the stamp shows the time instead of the step")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   app.add_flag("--quiet", options.quiet, "no progress bar");
 }
 
@@ -64,6 +71,35 @@ void set_quantity(DrawOptions& options) {
   PictureStyle& style = options.style;
   if (options.color.empty() && !style.network && !style.chains) options.color = "velocity";
   if (!options.color.empty()) style.quantity = &disc_quantity(options.color);
+  if (style.quantity == nullptr && !options.range.empty())
+    throw bad_input({"--range"}, "the discs have no colours", "--color beside it", "none");
+  const bool pressure = style.quantity != nullptr && style.quantity->quantity == DiscQuantity::pressure;
+  if (options.height > 0 && !pressure)
+    throw bad_input({"--height"}, "it counts for the pressure only", "--color pressure",
+                    options.color.empty() ? "none" : options.color);
+}
+
+std::string numbers_text(const std::vector<double>& numbers) {
+  return fmt::format("{}", fmt::join(numbers, " "));
+}
+
+// Before --box and --range take the place of what the discs say.
+void check_scales(const DrawOptions& options, const PictureScales& scales, Notes& notes) {
+  if (!options.box.empty() && scales.window) {
+    const Box& discs = *scales.window;
+    const auto& box = options.box;
+    if (box[1] < discs.low[0] || box[0] > discs.high[0] || box[3] < discs.low[1] || box[2] > discs.high[1])
+      throw bad_input({"--box"}, "no disc lies in it",
+                      fmt::format("where the discs are, at x = {:.6g} to {:.6g}, y = {:.6g} to {:.6g} m",
+                                  discs.low[0], discs.high[0], discs.low[1], discs.high[1]),
+                      numbers_text(box));
+  }
+  const Limits& values = scales.values;
+  if (!options.range.empty() && !values.empty() &&
+      (options.range[1] < values.low || options.range[0] > values.high))
+    notes.add(
+        fmt::format("--range: all discs get the colour of one end, since their values are {:.6g} to {:.6g}",
+                    values.low, values.high));
 }
 
 FrameSource source_of(const DrawOptions& options) {
@@ -84,19 +120,16 @@ FrameSource source_of(const DrawOptions& options) {
 }
 
 void apply_options(const DrawOptions& options, PictureScales& scales) {
-  const auto finite = [](double number) { return std::isfinite(number); };
   if (!options.box.empty()) {
     const auto& box = options.box;
-    if (!std::all_of(box.begin(), box.end(), finite) || box[0] >= box[1] || box[2] >= box[3])
-      throw bad_input({"--box"}, "not a box", "XMIN < XMAX, YMIN < YMAX",
-                      fmt::format("{}", fmt::join(box, " ")));
+    if (box[0] >= box[1] || box[2] >= box[3])
+      throw bad_input({"--box"}, "not a box", "XMIN < XMAX, YMIN < YMAX", numbers_text(box));
     scales.window = Box{{box[0], box[2]}, {box[1], box[3]}, {}};
   }
   if (!options.range.empty()) {
     const auto& range = options.range;
-    if (!std::all_of(range.begin(), range.end(), finite) || range[0] >= range[1])
-      throw bad_input({"--range"}, "the range is empty", "LOW < HIGH",
-                      fmt::format("{}", fmt::join(range, " ")));
+    if (range[0] >= range[1])
+      throw bad_input({"--range"}, "the range is empty", "LOW < HIGH", numbers_text(range));
     scales.colours = {range[0], range[1]};
   }
 }
@@ -106,11 +139,35 @@ std::int64_t add_frames(const FrameSource& source, const DrawOptions& options, P
   FrameStream stream(source);
   Frame frame;
   std::int64_t frames = 0;
-  for (; stream.next(frame); ++frames) scales.add(frame, options.style);
-  tell(*source.notes);
+  TypesSeen types(options.style.bulk_types);
+  for (; stream.next(frame); ++frames) {
+    scales.add(frame, options.style);
+    types.look(frame);
+  }
   if (frames == 0)
     throw bad_input({"--frames"}, "no frame is selected", "frames that --frames and --steps select", "0");
+  check_types(source, "--bulk-types", types);
+  check_scales(options, scales, *source.notes);
+  tell(*source.notes);
   return frames;
+}
+
+// Without a thickness the pressure is a force per length.
+void set_height(const FrameSource& source, DrawOptions& options) {
+  take_height(source, options.height);
+  PictureStyle& style = options.style;
+  style.height = options.height > 0 ? options.height : 1;
+  if (style.quantity == nullptr || style.quantity->quantity != DiscQuantity::pressure || options.height > 0)
+    return;
+  options.quantity = *style.quantity;
+  options.quantity.unit = "N/m";
+  style.quantity = &options.quantity;
+}
+
+std::vector<std::string> picture_names(const DrawOptions& options, std::int64_t frames) {
+  std::vector<std::string> names;
+  for (std::int64_t i = 0; i < frames; ++i) names.push_back(numbered_name(options.out, i, frames));
+  return names;
 }
 
 void draw(DrawOptions& options) {
@@ -120,8 +177,12 @@ void draw(DrawOptions& options) {
   PictureScales scales;
   apply_options(options, scales);
   const FrameSource source = source_of(options);
+  check_outputs({options.out}, source.files());
+  set_height(source, options);
+  scales = {};
   const std::int64_t frames = add_frames(source, options, scales);
   apply_options(options, scales);
+  check_outputs(picture_names(options, frames), source.files());
   Progress progress(total_size(source.files()), options.quiet);
   FrameStream stream(source);
   Frame frame;

@@ -8,6 +8,7 @@
 #include "io/csv_reader.h"
 #include "io/error.h"
 #include "io/json_object.h"
+#include "options/value_checks.h"
 
 namespace mikromakro {
 namespace {
@@ -54,7 +55,9 @@ FitResult fit_file(const FitOptions& options) {
   check_rings(table);
   if (options.range.size() == 2) {
     const bool ordered = options.range[0] < options.range[1];
-    if (!ordered) throw bad_input({"--range"}, "the range is empty", "R1 < R2", "others");
+    if (!ordered)
+      throw bad_input({"--range"}, "the range is empty", "R1 < R2",
+                      fmt::format("{} {}", options.range[0], options.range[1]));
     const auto inside = points.r >= options.range[0] && points.r <= options.range[1];
     points.v = inside.select(points.v, std::nan("")).eval();
   }
@@ -111,8 +114,10 @@ void add_fit_command(CLI::App& program) {
   app->add_option("--column", options->column, "column to fit, default v_phi");
   app->add_option("--weights", options->weights,
                   "none (default): each ring counts the same; errors: by its standard error COLUMN_err")
-      ->check(CLI::IsMember({"none", "errors"}));
-  app->add_option("--range", options->range, "R1 R2: rings with R1 <= r <= R2 only (m)")->expected(2);
+      ->check(one_of({"none", "errors"}));
+  app->add_option("--range", options->range, "R1 R2: rings with R1 <= r <= R2 only (m)")
+      ->expected(2)
+      ->allow_extra_args(false);
   app->add_option("--ri", options->ri, "R_i (m), default r_inner of the first ring");
   app->add_option("--omega", options->omega, "rate of rotation of the wheel (rad/s), for v0/(Omega R_i)");
   app->add_flag("--json", options->json, "print JSON");

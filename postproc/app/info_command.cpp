@@ -81,6 +81,7 @@ bool is_table(const std::string& file) {
 void info(const InfoOptions& options) {
   std::vector<std::string> objects;
   Notes notes;
+  bool of_particles = false;
   for (const std::string& file : expand_files(options.files)) {
     if (Hdf5File::recognises(file)) {
       const SnapshotSummary summary = summarise_snapshots(Hdf5File::open(file), file);
@@ -92,9 +93,13 @@ void info(const InfoOptions& options) {
       options.json ? objects.push_back(table_json(table).text()) : print_table(table);
     } else {
       const DumpSummary summary = summarise_dump(file, options.particle_columns, notes);
+      of_particles |= summary.last.of_particles();
       options.json ? objects.push_back(dump_json(file, summary).text()) : print_dump(file, summary);
     }
   }
+  if (!options.particle_columns.empty() && !of_particles)
+    throw bad_input({"--particle-columns"}, "none of the files is a text dump of particles",
+                    "such a file, or no --particle-columns", "others");
   tell(notes);
   if (options.json) fmt::print("[{}]\n", fmt::join(objects, ",\n "));
 }

@@ -6,6 +6,7 @@
 #include "app/warnings.h"
 #include "io/error.h"
 #include "io/file_list.h"
+#include "options/value_checks.h"
 
 namespace mikromakro {
 
@@ -23,7 +24,7 @@ void add_input_options(CLI::App& app, InputOptions& options) {
                  "text dumps of contacts with walls, of LIGGGHTS's compute wall/gran/local say; as often as "
                  "--particles");
   app.add_option("--density", options.density, "areal density rho h (kg/m^2) for files that give no masses")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   app.add_option("--frames", options.frames,
                  "FIRST:LAST[:STEP] or one: frames by index from 0, below 0 from the end (-1: the last one)");
   app.add_option("--steps", options.steps, "A:B or one: frames by time step");
@@ -71,6 +72,15 @@ bool has_snapshots(const InputOptions& options) {
   return !options.snapshots.empty() || !options.snapshot_runs.empty();
 }
 
+// Lists that would name the columns of no file.
+void check_columns(const InputOptions& options) {
+  if (!options.particle_columns.empty() && has_snapshots(options))
+    throw bad_input({"--particle-columns"}, "HDF5 snapshots know their columns", "--particles", "snapshots");
+  if (!options.contact_columns.empty() && options.contacts.empty())
+    throw bad_input({"--contact-columns"}, "there is no dump of contacts", "--contacts",
+                    has_snapshots(options) ? "snapshots" : "none");
+}
+
 }  // namespace
 
 FrameSource frame_source(const InputOptions& options) {
@@ -82,6 +92,7 @@ FrameSource frame_source(const InputOptions& options) {
                     "HDF5 snapshots hold their contacts", "--contacts beside --particles only", "both");
   if (options.walls.empty() && !options.wall_columns.empty())
     throw bad_input({"--wall-contact-columns"}, "columns of no file", "--wall-contacts beside it", "none");
+  check_columns(options);
   FrameSource source;
   std::vector<Run> runs = has_snapshots(options) ? snapshot_runs(options) : dump_runs(options);
   source.particle_files = std::move(runs.front().particle_files);

@@ -1,18 +1,22 @@
 // mikromakro: continuum fields from discs and contacts.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <malloc.h>
 
-#include <algorithm>
+#include <cerrno>
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <iostream>
 #include <string>
-#include <vector>
 
+#include "app/command_line.h"
 #include "app/commands.h"
+#include "app/interrupts.h"
 #include "averaging/ranks.h"
 #include "io/error.h"
+#include "io/hdf5_file.h"
+#include "options/value_checks.h"
 
 namespace {
 
@@ -20,12 +24,24 @@ constexpr int exit_done = 0;
 constexpr int exit_failed = 1;
 constexpr int exit_bad_input = 2;
 
+// What the library did not make, such as a failed request for memory, has a bounded length here.
+constexpr std::size_t longest_message = 2500;
+
 // Ranks agree on an error, and rank 0 tells it: mpirun would cut it short if another one ended with its code.
-int complain(std::string message, int code) {
+int complain(const std::string& message, int code) {
   if (mikromakro::launched_rank() > 0) return exit_done;
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  fmt::print(stderr, "mikromakro: {}\n", message);
+  fmt::print(stderr, "mikromakro: {}\n", mikromakro::one_line(message, longest_message));
   return code;
+}
+
+// What was printed may still wait in memory, and a full disk show only now.
+int finish(int code) {
+  std::cout.flush();
+  const bool written = std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (written || code != exit_done) return code;
+  const std::string reason = std::strerror(errno);
+  return complain("standard output: cannot write the output; expected space on the disk, got " + reason,
+                  exit_failed);
 }
 
 // Under mpirun only rank 0 does what cannot be shared out.
@@ -48,20 +64,15 @@ int run(int argc, char** argv) {
   mikromakro::add_convert_command(program);
   mikromakro::add_draw_command(program);
   mikromakro::add_timestep_command(program);
+  for (CLI::App* verb : program.get_subcommands({})) mikromakro::check_numbers(*verb);
   try {
-    program.parse(argc, argv);
+    program.parse(mikromakro::words_for_parser(argc, argv));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return program.exit(error);
-    const std::vector<std::string> arguments(argv + 1, argv + argc);
-    const std::string given = mikromakro::in_quotes(fmt::format("{}", fmt::join(arguments, " ")));
-    return complain(
-        fmt::format("command line: {}; expected what `mikromakro --help` lists, got {}", error.what(), given),
-        exit_bad_input);
+    return complain(mikromakro::complaint_of(program, error), exit_bad_input);
   }
   return exit_done;
 }
-
-}  // namespace
 
 // The memory of a frame is used again for the next one; given back to the system and asked for anew, it would
 // be cleared page by page each time, a tenth of the time that reading takes.
@@ -71,8 +82,7 @@ void keep_memory() {
   mallopt(M_TRIM_THRESHOLD, largest);
 }
 
-int main(int argc, char** argv) {
-  keep_memory();
+int run_and_tell(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const mikromakro::Error& error) {
@@ -81,4 +91,13 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return complain(error.what(), exit_failed);
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  keep_memory();
+  mikromakro::prepare_for_interrupts();
+  mikromakro::leave_hdf5_open_at_exit();
+  return finish(run_and_tell(argc, argv));
 }

@@ -24,6 +24,13 @@ void require(bool holds, std::string_view option, std::string_view expected, dou
   if (!holds) throw bad_input({option}, "the value makes no sense", expected, fmt::format("{}", got));
 }
 
+// Without friction there is no tangential force.
+void require_friction(bool given, std::string_view option, const TimestepOptions& o) {
+  if (given && !(o.mu > 0))
+    throw bad_input({option}, "without friction it has no effect", "--mu above 0",
+                    std::isnan(o.mu) ? "none" : fmt::format("{}", o.mu));
+}
+
 void check(const TimestepOptions& o) {
   require(o.radius > 0, "--radius", "a length above 0 (m)", o.radius);
   require(o.density > 0, "--density", "an areal density rho h above 0 (kg/m^2)", o.density);
@@ -32,6 +39,8 @@ void check(const TimestepOptions& o) {
   require(std::isnan(o.restitution) || (o.restitution > 0 && o.restitution <= 1), "--restitution",
           "a number above 0, at most 1", o.restitution);
   require(std::isnan(o.kt) || o.kt > 0, "--kt", "a stiffness above 0 (N/m)", o.kt);
+  require_friction(!std::isnan(o.kt), "--kt", o);
+  require_friction(o.gammat > 0, "--gammat", o);
   require(o.gammat >= 0, "--gammat", "a number from 0 on (kg/s)", o.gammat);
   require(std::isnan(o.mu) || o.mu >= 0, "--mu", "a number from 0 on", o.mu);
   require(std::isnan(o.velocity) || o.velocity > 0, "--velocity", "a speed above 0 (m/s)", o.velocity);

@@ -21,6 +21,7 @@ enum class Branch { by_weight, radius, contact };
 struct AveragingOptions {
   std::vector<int> bulk_types;  ///< empty: all; discs of other types are walls
   Branch branch = Branch::by_weight;
+  bool height_known = true;  ///< false: it counts as 1, and what is given per area is per length
 };
 
 /// Seed Eq. 4, Q = 1/V sum_p w^p V^p Q^p, for all volumes and fields at once.

@@ -4,12 +4,27 @@
 #include "averaging/averager.h"
 
 namespace mikromakro {
+namespace {
+
+// The unit of numbers that were divided by no thickness.
+std::string unit_without_height(const std::string& unit) {
+  if (unit == "Pa") return "N/m";
+  if (unit == "N/m") return "N";  // couple stress
+  if (unit == "N/m^3") return "N/m^2";
+  if (unit == "k_n/h") return "k_n";
+  return unit;
+}
+
+}  // namespace
 
 std::vector<Column> Averager::columns() const {
   std::vector<Column> columns;
   for (const ListedField& listed : fields_) {
     if (!listed.shown) continue;
-    for (Column& column : listed.field->columns(volumes_->axes())) columns.push_back(std::move(column));
+    for (Column& column : listed.field->columns(volumes_->axes())) {
+      if (!options_.height_known) column.unit = unit_without_height(column.unit);
+      columns.push_back(std::move(column));
+    }
   }
   return columns;
 }

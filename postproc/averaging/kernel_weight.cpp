@@ -1,5 +1,7 @@
 #include "averaging/kernel_weight.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <utility>
@@ -9,6 +11,9 @@
 
 namespace mikromakro {
 namespace {
+
+// Of a branch vector, each summed on its own. What is narrower is the weight of centres.
+constexpr double most_pieces = 1e4;
 
 class KernelShares : public Shares {
  public:
@@ -27,6 +32,10 @@ class KernelShares : public Shares {
                  ShareSums& shares) const override {
     static const GaussLegendre<5> rule;
     const double pieces = std::fmax(1, std::ceil(branch.norm() / longest_piece_));
+    if (pieces > most_pieces)
+      throw bad_input({"--weight"}, "the kernel is much narrower than the discs, which would take hours",
+                      fmt::format("a width of {:.2g} m or more", branch.norm() / most_pieces),
+                      fmt::format("one that divides a branch vector into {:.3g} pieces", pieces));
     for (double piece = 0; piece < pieces; ++piece) {
       for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
         const double s = (piece + 0.5 + 0.5 * rule.nodes[i]) / pieces;

@@ -2,6 +2,7 @@
 
 #include "averaging/kernel_weight.h"
 #include "io/error.h"
+#include "io/nearest_name.h"
 
 namespace mikromakro {
 namespace {
@@ -45,9 +46,10 @@ std::unique_ptr<const Weight> make_weight(const std::string& name) {
   if (name == "sliced") return std::make_unique<const SlicedWeight>();
   if (name == "centre") return std::make_unique<const CentreWeight>();
   if (auto kernel = make_kernel_weight(name)) return kernel;
+  constexpr std::string_view kinds[] = {"sliced", "centre", "gauss", "lucy", "wendland", "tophat"};
   throw bad_input({"--weight"}, "unknown weight",
                   "sliced, centre, gauss:W, lucy:W, wendland:W or tophat:W with a width W in m",
-                  in_quotes(name));
+                  in_quotes_with_guess(name.substr(0, name.find(':')), kinds));
 }
 
 }  // namespace mikromakro

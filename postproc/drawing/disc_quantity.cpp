@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "io/error.h"
+#include "io/nearest_name.h"
 
 namespace mikromakro {
 namespace {
@@ -53,7 +54,8 @@ const QuantityInfo& disc_quantity(const std::string& name) {
                                          [&](const QuantityInfo& info) { return info.name == name; });
   if (found == std::end(all))
     throw bad_input({"--color"}, "unknown quantity",
-                    fmt::format("one of {}", fmt::join(disc_quantity_names(), " ")), in_quotes(name));
+                    fmt::format("one of {}", fmt::join(disc_quantity_names(), " ")),
+                    in_quotes_with_guess(name, disc_quantity_names()));
   return *found;
 }
 

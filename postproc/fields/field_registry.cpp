@@ -1,6 +1,7 @@
 #include "fields/field_registry.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -26,6 +27,7 @@
 #include "fields/velocity_gradient_fit.h"
 #include "fields/wall_force_density.h"
 #include "io/error.h"
+#include "io/nearest_name.h"
 
 namespace mikromakro {
 namespace {
@@ -108,8 +110,9 @@ void check_names(const std::vector<std::string>& names) {
   const auto& known = field_names();
   for (const std::string& name : names) {
     if (name != "all" && std::find(known.begin(), known.end(), name) == known.end())
-      throw bad_input({"--fields"}, "unknown field", "all, or names that `mikromakro average --help` lists",
-                      in_quotes(name));
+      throw bad_input({"--fields"}, "unknown field",
+                      fmt::format("all, or some of {}", fmt::join(known, ", ")),
+                      in_quotes_with_guess(name, known));
   }
 }
 

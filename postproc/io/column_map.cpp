@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "io/nearest_name.h"
+
 namespace mikromakro {
 namespace {
 
@@ -76,7 +78,8 @@ ColumnMap map_option(const std::vector<std::string>& list, std::size_t columns, 
         name == "-" || std::find(names.ignored.begin(), names.ignored.end(), name) != names.ignored.end();
     if (slot < 0 && !skipped) {
       throw bad_input({names.option}, "unknown column name",
-                      fmt::format("one of {} or -", fmt::join(names.known, " ")), in_quotes(name));
+                      fmt::format("one of {} or -", fmt::join(names.known, " ")),
+                      in_quotes_with_guess(name, names.known));
     }
     if ((map.given & bit_of(slot)) != 0)
       throw bad_input({names.option}, "column named twice", "each name once", in_quotes(name));

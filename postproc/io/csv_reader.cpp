@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "io/line_reader.h"
+#include "io/nearest_name.h"
 #include "io/row_parser.h"
 
 namespace mikromakro {
@@ -80,8 +81,8 @@ bool CsvTable::has(std::string_view name) const {
 Eigen::ArrayXd CsvTable::column(std::string_view name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (found == names_.end())
-    throw bad_input({file_, names_line_}, "no such column", in_quotes(name),
-                    fmt::format("{}", fmt::join(names_, " ")));
+    throw bad_input({file_, names_line_}, "no such column", fmt::format("one of {}", fmt::join(names_, " ")),
+                    in_quotes_with_guess(name, std::vector<std::string_view>(names_.begin(), names_.end())));
   return values_.col(found - names_.begin());
 }
 

@@ -30,7 +30,11 @@ class Error : public std::runtime_error {
   Kind kind_;
 };
 
-/// Makers of the message; what was found is quoted with unprintable characters as '?', and cut when it is
+/// `text` on one line of at most `longest` bytes, escapes not counted: control characters as \x1b, what is too
+/// long cut in the middle.
+std::string one_line(std::string_view text, std::size_t longest);
+
+/// Makers of the message, which stays one line of bounded length; what was found is quoted with unprintable characters as '?', and cut when it is
 /// long.
 Error bad_input(const Place& place, std::string_view what, std::string_view expected, std::string_view got);
 Error run_failed(std::string_view what, std::string_view expected, std::string_view got);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "io/id_map.h"
@@ -30,6 +31,24 @@ void set_masses(RawFrame& raw, double density) {
   for (Particle& particle : raw.particles)
     particle.mass = in_units * std::numbers::pi * particle.radius * particle.radius;
   raw.particles_given |= mass;
+}
+
+// A wall takes a little of a disc, a periodic boundary cuts it.
+bool reaches_out(const Particle& disc, const Box& box) {
+  constexpr double into_walls = 0.1;
+  const double reach = (1 - into_walls) * disc.radius;
+  return ((disc.position.array() - reach < box.low.array()) ||
+          (disc.position.array() + reach > box.high.array()))
+      .any();
+}
+
+void note_boundaries(const RawFrame& raw, Notes* notes) {
+  if (raw.box.boundaries_known || notes == nullptr) return;
+  const auto out = std::count_if(raw.particles.begin(), raw.particles.end(),
+                                 [&](const Particle& disc) { return reaches_out(disc, raw.box); });
+  if (out > 0)
+    notes->add("the files do not say whether the box is periodic: discs that reach out of it have no images",
+               raw.step, out);
 }
 
 void complete(RawFrame& raw, double density, bool contacts_required) {
@@ -67,6 +86,7 @@ void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   frame.contacts_known = raw.with_contacts;
   frame.contacts.clear();
   rules.step = raw.step;
+  note_boundaries(raw, rules.notes);
   if (raw.with_contacts)
     frame.contacts = join_contacts(raw.contacts, {raw.particles, ids, raw.box, raw.place_error}, rules);
   // The rows are read anew for the next frame.

@@ -97,6 +97,10 @@ Hdf5Id without_times(hid_t kind) {
 
 }  // namespace
 
+void leave_hdf5_open_at_exit() {
+  H5dont_atexit();
+}
+
 Hdf5Shape Hdf5Dataset::shape() const {
   const Hdf5Id space(H5Dget_space(id_.get()), H5Sclose);
   std::array<hsize_t, H5S_MAX_RANK> lengths = {};
@@ -241,6 +245,11 @@ void Hdf5File::add_group(const std::string& path) {
 void Hdf5File::link(const std::string& existing, const std::string& path) {
   add_groups_above(path);
   if (H5Lcreate_hard(id_.get(), existing.c_str(), id_.get(), path.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0)
+    cannot_write(file_);
+}
+
+void Hdf5File::copy(const Hdf5File& from, const std::string& path) {
+  if (H5Ocopy(from.id_.get(), path.c_str(), id_.get(), path.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0)
     cannot_write(file_);
 }
 

@@ -88,6 +88,10 @@ class Hdf5Dataset {
   std::string place_;
 };
 
+/// HDF5 writes what it still holds when a program ends, and crashes where the disk is full. Programs that
+/// close all their files call this first, before anything else of HDF5.
+void leave_hdf5_open_at_exit();
+
 /// Paths are absolute, groups on the way are made. HDF5's own messages never reach stderr.
 class Hdf5File {
  public:
@@ -121,6 +125,9 @@ class Hdf5File {
   void add_group(const std::string& path);
   /// A second name for the same object.
   void link(const std::string& existing, const std::string& path);
+
+  /// What stands there in another file, with all below it.
+  void copy(const Hdf5File& from, const std::string& path);
 
   void attribute(const std::string& path, const std::string& name, const std::string& value);
   void attribute(const std::string& path, const std::string& name, const std::vector<std::string>& values);

@@ -83,6 +83,7 @@ bool MercuryDataReader::next_header(MercuryHeader& header) {
   header.rows = parse_integer(found[0], place);
   if (header.rows < 0) throw bad_input(place, "negative number of rows", "0 or more", in_quotes(line));
   header.time = parse_number(found[1], place);
+  header.box.boundaries_known = false;
   const std::size_t dimensions = found.size() / 2 - 1;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto index = static_cast<Eigen::Index>(axis);

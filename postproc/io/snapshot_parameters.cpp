@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <functional>
+#include <numeric>
+
 #include "io/error.h"
 #include "io/snapshot_layout.h"
 
@@ -27,7 +30,31 @@ void check(const std::string& file, const std::string& name, const std::string& 
   throw bad_input({file}, fmt::format("is of another system, {} differs", name), there, wanted);
 }
 
+// None where there are none, or in another unit.
+std::vector<double> numbers_in(const Hdf5File& file, const std::string& name, const std::string& unit) {
+  const std::string path = snapshot::parameters + "/" + name;
+  if (!file.has(path) || !file.has_attribute(path, "unit")) return {};
+  if (file.text_attribute(path, "unit") != std::vector<std::string>{unit}) return {};
+  const Hdf5Dataset dataset = file.dataset(path);
+  const Hdf5Shape shape = dataset.shape();
+  std::vector<double> numbers(
+      std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()));
+  dataset.read<double>({Hdf5Shape(shape.size(), 0), shape}, numbers);
+  return numbers;
+}
+
 }  // namespace
+
+RunConstants read_constants(const Hdf5File& file) {
+  RunConstants constants;
+  if (!file.has(snapshot::parameters)) return constants;
+  if (file.has_attribute(snapshot::parameters, "units"))
+    constants.units = file.text_attribute(snapshot::parameters, "units").front();
+  if (const auto heights = numbers_in(file, "height", "m"); heights.size() == 1)
+    constants.height = heights[0];
+  constants.normal_stiffness = numbers_in(file, "kn", "N/m");
+  return constants;
+}
 
 void write_parameters(Hdf5File& file, const SnapshotParameters& parameters) {
   file.add_group(snapshot::parameters);

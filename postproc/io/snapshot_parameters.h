@@ -25,6 +25,15 @@ struct SnapshotParameters {
   bool operator==(const SnapshotParameters&) const = default;
 };
 
+/// What averages take of it.
+struct RunConstants {
+  std::string units;                     ///< as the engine calls them; empty: not said
+  double height = 0;                     ///< m, 0: not said
+  std::vector<double> normal_stiffness;  ///< k_n (N/m) of all pairs of types i, j at (i - 1) * types + j - 1;
+                                         ///< none for other laws than linear ones
+};
+RunConstants read_constants(const Hdf5File& file);
+
 void write_parameters(Hdf5File& file, const SnapshotParameters& parameters);
 
 /// Throws, naming the first difference, unless the file `name` holds the same.

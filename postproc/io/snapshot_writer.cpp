@@ -84,6 +84,10 @@ void SnapshotWriter::resume(const std::string& name) {
   walls_.resume(file_);
 }
 
+void SnapshotWriter::copy_parameters(const Hdf5File& run) {
+  if (run.has(snapshot::parameters)) file_.copy(run, snapshot::parameters);
+}
+
 void SnapshotWriter::keep(std::uint64_t frames) {
   if (frames >= frames_) return;
   datasets_.at(step_path).grow({frames});

@@ -34,6 +34,8 @@ class SnapshotWriter {
 
   void add(const RawFrame& frame, const std::vector<Particle>& particles);
   void add_parameters(const SnapshotParameters& parameters) { write_parameters(file_, parameters); }
+  /// Those of another file, if it has any.
+  void copy_parameters(const Hdf5File& run);
   void close();
 
  private:

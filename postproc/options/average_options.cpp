@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "averaging/block_errors.h"
+#include "options/value_checks.h"
 
 namespace mikromakro {
 namespace {
@@ -25,7 +26,7 @@ void add_average_options(CLI::App& app, AverageOptions& options) {
   add_field_options(app, options.fields);
   app.add_option("--error-blocks", options.error_blocks,
                  "blocks of frames that are kept for standard errors, default 64; 0 for no errors")
-      ->check(CLI::Range(0, 100000));
+      ->transform(whole_number(0, 100000));
   app.add_option("--out", options.out,
                  "FILE.csv, .h5, .vtkhdf or .hdf (both ParaView), or - for CSV on standard output (default); "
                  "may be given "

@@ -3,22 +3,52 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
+#include "io/error.h"
+#include "options/value_checks.h"
+
 namespace mikromakro {
 
 void add_field_options(CLI::App& app, FieldChoice& choice) {
   app.add_option("--kn", choice.numbers.normal_stiffness,
                  "normal stiffness k_n (N/m): E and G in units of k_n/h, curvature without springs")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   app.add_option("--mu", choice.numbers.friction_coefficient, "coefficient of friction, for sliding_fraction")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   app.add_option("--histogram", choice.numbers.histogram_bins,
                  "BINS: adds contact_angle_histogram with so many bins")
-      ->check(CLI::Range(1, 3600));
+      ->transform(whole_number(1, 3600));
   app.add_option("--fields", choice.names,
                  fmt::format("all, or names of {}; default {}", fmt::join(field_names(), ","),
                              fmt::join(default_field_names(), ",")))
       ->delimiter(',');
 }
+
+namespace {
+
+// What would be given in vain: a number that none of the fields takes.
+void check_use(const FieldChoice& choice, const std::vector<std::string>& names) {
+  const auto averaged = [&](std::string_view name) {
+    const auto& defaults = default_field_names();
+    return names.empty() ? std::find(defaults.begin(), defaults.end(), name) != defaults.end()
+                         : std::find(names.begin(), names.end(), name) != names.end() ||
+                               std::find(names.begin(), names.end(), "all") != names.end();
+  };
+  if (choice.numbers.normal_stiffness > 0 && !averaged("stiffness") && !averaged("curvature") &&
+      !averaged("rotational_stiffness"))
+    throw bad_input({"--kn"}, "none of the fields takes it", "stiffness, curvature or rotational_stiffness",
+                    fmt::format("{}", fmt::join(names, ",")));
+  if (choice.numbers.friction_coefficient > 0 && !averaged("sliding_fraction"))
+    throw bad_input({"--mu"}, "none of the fields takes it", "sliding_fraction among --fields",
+                    names.empty() ? "the default fields" : fmt::format("{}", fmt::join(names, ",")));
+}
+
+double stiffness_of(const FieldChoice& choice) {
+  return choice.numbers.normal_stiffness > 0 ? choice.numbers.normal_stiffness : choice.stiffness_of_run;
+}
+
+}  // namespace
 
 FieldList fields_of(const FieldChoice& choice, const VolumeOptions& volumes) {
   std::vector<std::string> names = choice.names;
@@ -28,8 +58,10 @@ FieldList fields_of(const FieldChoice& choice, const VolumeOptions& volumes) {
     }
     names.emplace_back("contact_angle_histogram");
   }
+  check_use(choice, names);
   FieldOptions numbers = choice.numbers;
   numbers.rings = are_rings(volumes);
+  numbers.normal_stiffness = stiffness_of(choice);
   return make_fields(names, numbers);
 }
 
@@ -38,8 +70,7 @@ void describe_fields(const FieldChoice& choice, Preamble& lines) {
 }
 
 void describe_numbers(const FieldChoice& choice, Preamble& lines) {
-  if (choice.numbers.normal_stiffness > 0)
-    lines.emplace_back("kn", fmt::format("{} N/m", choice.numbers.normal_stiffness));
+  if (stiffness_of(choice) > 0) lines.emplace_back("kn", fmt::format("{} N/m", stiffness_of(choice)));
   if (choice.numbers.friction_coefficient > 0)
     lines.emplace_back("mu", fmt::format("{}", choice.numbers.friction_coefficient));
 }

@@ -14,6 +14,7 @@ namespace mikromakro {
 struct FieldChoice {
   std::vector<std::string> names;
   FieldOptions numbers;
+  double stiffness_of_run = 0;  ///< k_n as the files have it, for where no option gives it
 };
 
 void add_field_options(CLI::App& app, FieldChoice& choice);

@@ -17,7 +17,8 @@ constexpr std::array<std::string_view, 4> endings = {".csv", ".h5", ".vtkhdf", "
 
 }  // namespace
 
-TableOutputs::TableOutputs(const std::vector<std::string>& names) : to_stdout_(names.empty()) {
+TableOutputs::TableOutputs(const std::vector<std::string>& names, const std::vector<std::string>& inputs)
+    : to_stdout_(names.empty()) {
   for (const std::string& name : names) {
     const bool known =
         std::any_of(endings.begin(), endings.end(), [&](auto ending) { return name.ends_with(ending); });
@@ -25,11 +26,13 @@ TableOutputs::TableOutputs(const std::vector<std::string>& names) : to_stdout_(n
       throw bad_input({"--out"}, "unknown kind of output file",
                       "a name ending in .csv, .h5, .vtkhdf or .hdf, or -", in_quotes(name));
   }
+  check_outputs(names, inputs);
   for (const std::string& name : names) {
     if (name == "-") {
       to_stdout_ = true;
     } else {
       files_.push_back({name, std::make_unique<OutputFile>(name)});
+      if (!name.ends_with(".csv")) files_.back().file->require_regular();
     }
   }
 }

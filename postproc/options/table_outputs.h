@@ -15,8 +15,8 @@ namespace mikromakro {
 /// and filled when all frames are read. Throws on other endings.
 class TableOutputs {
  public:
-  /// No names: CSV on standard output.
-  explicit TableOutputs(const std::vector<std::string>& names);
+  /// No names: CSV on standard output. Throws where one is among the inputs, or is named twice.
+  explicit TableOutputs(const std::vector<std::string>& names, const std::vector<std::string>& inputs = {});
 
   void commit(const Preamble& preamble, const Table& table, const Eigen::Vector2d& center);
 

@@ -4,11 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <cstdlib>
 
 #include "averaging/grid_volumes.h"
 #include "averaging/ring_volumes.h"
 #include "averaging/sector_volumes.h"
 #include "io/error.h"
+#include "options/value_checks.h"
 
 namespace mikromakro {
 namespace {
@@ -41,13 +43,14 @@ std::unique_ptr<const Volumes> grid_of(const VolumeOptions& options) {
   check_total(grid[2] * grid[5], "--grid");
   return std::make_unique<const GridVolumes>(equal_grid_edges(grid[0], grid[1], columns, "--grid"),
                                              equal_grid_edges(grid[3], grid[4], rows, "--grid"),
-                                             options.height);
+                                             thickness(options));
 }
 
 std::unique_ptr<const Volumes> box_of(const VolumeOptions& options) {
   const auto& box = options.box;
   return std::make_unique<const GridVolumes>(equal_grid_edges(box[0], box[1], 1, "--box"),
-                                             equal_grid_edges(box[2], box[3], 1, "--box"), options.height);
+                                             equal_grid_edges(box[2], box[3], 1, "--box"),
+                                             thickness(options));
 }
 
 // Exactly one kind of volumes, and sectors of rings only.
@@ -60,18 +63,43 @@ void check_choice(const VolumeOptions& options) {
   if (given.size() != 1)
     throw bad_input({"--rings"}, "the volumes are not clear", "one of --rings, --edges, --grid, --box",
                     given.empty() ? "none" : fmt::format("{}", fmt::join(given, " ")));
-  if (options.sectors > 0 && (!options.grid.empty() || !options.box.empty()))
+  const bool rectangles = !options.grid.empty() || !options.box.empty();
+  if (options.sectors > 0 && rectangles)
     throw bad_input({"--sectors"}, "only rings have sectors", "--rings or --edges", std::string(given[0]));
+  if (!options.center.empty() && rectangles)
+    throw bad_input({"--center"}, "only rings have a centre", "--rings or --edges", std::string(given[0]));
 }
 
 std::unique_ptr<const Volumes> volumes_of(const VolumeOptions& options) {
-  check_choice(options);
   if (!options.grid.empty()) return grid_of(options);
   if (!options.box.empty()) return box_of(options);
-  auto rings = std::make_unique<const RingVolumes>(ring_centre(options), ring_edges(options), options.height);
+  auto rings =
+      std::make_unique<const RingVolumes>(ring_centre(options), ring_edges(options), thickness(options));
   if (options.sectors == 0) return rings;
   check_total(static_cast<double>(rings->count()) * options.sectors, "--sectors");
   return std::make_unique<const SectorVolumes>(std::move(rings), options.sectors);
+}
+
+// From one end of all volumes to the other.
+double extent(const VolumeOptions& options) {
+  if (!options.rings.empty()) return 2 * options.rings[1];
+  if (!options.edges.empty()) return 2 * options.edges.back();
+  const auto& box = options.box;
+  const auto& grid = options.grid;
+  return grid.empty() ? std::fmax(box[1] - box[0], box[3] - box[2])
+                      : std::fmax(grid[1] - grid[0], grid[4] - grid[3]);
+}
+
+// A kernel that sees the volumes as a point shows nothing of them, and takes long.
+void check_width(const VolumeOptions& options) {
+  constexpr double widest = 1000;
+  const auto colon = options.weight.find(':');
+  if (colon == std::string::npos) return;
+  const double width = std::strtod(options.weight.c_str() + colon + 1, nullptr);
+  if (width > widest * extent(options))
+    throw bad_input({"--weight"}, "the kernel is much wider than all volumes together",
+                    fmt::format("a width of {:.3g} m or less", widest * extent(options)),
+                    in_quotes(options.weight));
 }
 
 void describe_weight(const VolumeOptions& options, Preamble& lines) {
@@ -83,15 +111,25 @@ void describe_weight(const VolumeOptions& options, Preamble& lines) {
 }  // namespace
 
 void add_volume_options(CLI::App& app, VolumeOptions& options) {
-  app.add_option("--rings", options.rings, "RMIN RMAX N: N equal rings (m)")->expected(3);
-  app.add_option("--center", options.center, "X Y: centre of the rings (m), default 0 0")->expected(2);
+  app.add_option("--rings", options.rings, "RMIN RMAX N: N equal rings (m)")
+      ->expected(3)
+      ->allow_extra_args(false);
+  app.add_option("--center", options.center, "X Y: centre of the rings (m), default 0 0")
+      ->expected(2)
+      ->allow_extra_args(false);
   app.add_option("--edges", options.edges, "R0,R1,...: own radii of the rings (m)")->delimiter(',');
   app.add_option("--sectors", options.sectors, "M: each ring is divided into M equal sectors")
-      ->check(CLI::Range(1, static_cast<int>(most_volumes)));
+      ->transform(whole_number(1, static_cast<std::int64_t>(most_volumes)));
   app.add_option("--grid", options.grid, "XMIN XMAX NX YMIN YMAX NY: NX by NY equal rectangles (m)")
-      ->expected(6);
-  app.add_option("--box", options.box, "XMIN XMAX YMIN YMAX: one rectangle (m)")->expected(4);
-  app.add_option("--height", options.height, "thickness of the discs (m), default 1");
+      ->expected(6)
+      ->allow_extra_args(false);
+  app.add_option("--box", options.box, "XMIN XMAX YMIN YMAX: one rectangle (m)")
+      ->expected(4)
+      ->allow_extra_args(false);
+  app.add_option("--height", options.height,
+                 "thickness of the discs (m); default that of the snapshots, or none: stresses are forces "
+                 "per length then")
+      ->check(positive());
   app.add_option("--bulk-types", options.bulk_types, "types that are averaged, default all")->delimiter(',');
   app.add_option(
       "--branch", options.branch,
@@ -131,6 +169,16 @@ VolumeOptions at_resolution(const VolumeOptions& options, int resolution) {
   return other;
 }
 
+double thickness(const VolumeOptions& options) {
+  return options.height > 0 ? options.height : 1;
+}
+
+std::string_view volume_option(const VolumeOptions& options) {
+  if (!options.rings.empty()) return "--rings";
+  if (!options.edges.empty()) return "--edges";
+  return options.grid.empty() ? "--box" : "--grid";
+}
+
 bool are_rings(const VolumeOptions& options) {
   return options.grid.empty() && options.box.empty() && options.sectors == 0;
 }
@@ -146,13 +194,14 @@ std::vector<double> ring_edges(const VolumeOptions& options) {
 }
 
 Eigen::Vector2d ring_centre(const VolumeOptions& options) {
-  Eigen::Vector2d centre{options.center[0], options.center[1]};
-  if (!centre.allFinite()) throw bad_input({"--center"}, "not a point", "finite numbers", "others");
-  return centre;
+  if (options.center.empty()) return Eigen::Vector2d::Zero();
+  return {options.center[0], options.center[1]};
 }
 
 std::unique_ptr<const Averager> make_averager(const VolumeOptions& options, FieldList fields) {
-  const AveragingOptions averaging{options.bulk_types, branch_of(options.branch)};
+  check_choice(options);
+  check_width(options);
+  const AveragingOptions averaging{options.bulk_types, branch_of(options.branch), options.height > 0};
   return std::make_unique<const Averager>(volumes_of(options), make_weight(options.weight), std::move(fields),
                                           averaging);
 }
@@ -166,9 +215,13 @@ void describe_volumes(const VolumeOptions& options, Preamble& lines, bool with_w
   add("grid", options.grid, " ");
   add("box", options.box, " ");
   if (options.sectors > 0) lines.emplace_back("sectors", fmt::format("{}", options.sectors));
-  if (options.grid.empty() && options.box.empty()) add("center", options.center, " ");
+  if (options.grid.empty() && options.box.empty()) {
+    const Eigen::Vector2d centre = ring_centre(options);
+    add("center", {centre[0], centre[1]}, " ");
+  }
   if (with_weight) describe_weight(options, lines);
-  lines.emplace_back("height", fmt::format("{} m", options.height));
+  lines.emplace_back("height", options.height > 0 ? fmt::format("{} m", options.height)
+                                                  : "none given: forces per length in place of stresses");
   lines.emplace_back("bulk types", options.bulk_types.empty()
                                        ? "all"
                                        : fmt::format("{}", fmt::join(options.bulk_types, ",")));

@@ -12,10 +12,10 @@
 namespace mikromakro {
 
 struct VolumeOptions {
-  std::vector<double> rings, center = {0, 0}, edges, grid, box;
-  int sectors = 0;                        ///< 0: whole rings
-  std::string weight = "sliced", branch;  ///< no branch: the one that goes with the weight
-  double height = 1;
+  std::vector<double> rings, center, edges, grid, box;  ///< no centre: the origin
+  int sectors = 0;                                      ///< 0: whole rings
+  std::string weight = "sliced", branch;                ///< no branch: the one that goes with the weight
+  double height = 0;                                    ///< 0: not known
   std::vector<int> bulk_types;
 };
 
@@ -29,6 +29,12 @@ int resolution_of(const VolumeOptions& options);
 /// and
 /// --grid, and for resolutions below 1.
 VolumeOptions at_resolution(const VolumeOptions& options, int resolution);
+
+/// The height, 1 where it is not known.
+double thickness(const VolumeOptions& options);
+
+/// The option that gives the volumes, for messages.
+std::string_view volume_option(const VolumeOptions& options);
 
 /// Whether the volumes are a sequence of whole rings, which some fields need.
 bool are_rings(const VolumeOptions& options);

@@ -197,9 +197,9 @@ void DiscReference::begin_and_end_contacts(int first, int count, double dt) {
   for (int k = 0; k < count; ++k) {
     const bool touches = batch_.touches(k);
     if (touches == (batch_.springs->touched[k] != 0)) continue;
-    near_.set_touched(first + k, touches);
     in_contact_[near_.number(first + k)] = touches;
-    physics::begin_or_end_contact(batch_, k, true, dt);
+    physics::begin_or_end_contact(batch_, k, {dt, true});
+    near_.set_spring(first + k, touches, 0, batch_.springs->slip_rate[k]);
   }
 }
 
@@ -217,7 +217,7 @@ void DiscReference::evaluate_contacts(double dt) {
     near_.fetch_springs(first + count, ahead);
     physics::load_discs<effects>(c, discs_.data(), pairs, count, loads_.data(), ahead);
     const auto state = physics::contact_geometry<effects>(c, count);
-    physics::contact_slip(c, count, true, dt);
+    physics::contact_slip(c, count, {dt, true});
     if (state.any_changed) begin_and_end_contacts(first, count, dt);
     physics::contact_forces<effects>(c, count);
     physics::add_loads<effects>(c, pairs, count, loads_.data());

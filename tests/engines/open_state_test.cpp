@@ -16,6 +16,9 @@
 namespace mikromakro::test {
 namespace {
 
+/// Among the lines of a script: the fix that integrates fuses no steps.
+const std::string fused_off = "# fused off\n";
+
 struct Outcome {
   std::map<int, Disc> discs;
   std::map<std::pair<int, int>, Contact> contacts;
@@ -29,8 +32,12 @@ struct Outcome {
 Outcome run(const std::string& tangential, const std::string& set_up, const std::string& lines,
             const char* walls, int numbers) {
   Engine engine;
-  engine.run(scene("model disc/linear tangential " + tangential, {}, 0.12, 4, "f f p", "0.0006") +
-             "timestep 4e-5\ncompute contacts all contact/disc\n" + set_up + lines + "run 1000\n");
+  std::string script = scene("model disc/linear tangential " + tangential, {}, 0.12, 4, "f f p", "0.0006") +
+                       "timestep 4e-5\ncompute contacts all contact/disc\n" + set_up + lines + "run 1000\n";
+  const std::string integration = " nve/disc";
+  if (lines.find(fused_off) != std::string::npos)
+    script.insert(script.find(integration) + integration.size(), " fused off");
+  engine.run(script);
   const bool bottom = lines.find("fix bottom ") != std::string::npos;
   Outcome found{engine.discs(),
                 engine.contacts(),
@@ -146,6 +153,12 @@ TEST_P(OpenState, IsTheStateThatIsLookedAt) {
 
 TEST_P(OpenState, IsTheStateInWhichOthersAct) {
   expect_same_bits(shear(GetParam(), ""), shear(GetParam(), act_in_each_step));
+}
+
+TEST_P(OpenState, IsTheStateWithoutFusedSteps) {
+  expect_same_bits(shear(GetParam(), ""), shear(GetParam(), fused_off));
+  expect_same_bits(press(GetParam(), ""), press(GetParam(), fused_off));
+  expect_same_bits(shear_smoothly(GetParam(), ""), shear_smoothly(GetParam(), fused_off));
 }
 
 TEST_P(OpenState, IsTheStateOfTwoThatMeetFromAfar) {

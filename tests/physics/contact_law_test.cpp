@@ -1,6 +1,7 @@
 // The contact law of docs/conventions.md (seed 2.2) as a pure function. Numbers are chosen so that every
 // product is exact or off by one rounding.
 #include "physics/contact_law.h"
+#include "physics/spring_step.h"
 
 #include <gtest/gtest.h>
 

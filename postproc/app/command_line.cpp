@@ -1,0 +1,52 @@
+#include "app/command_line.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdlib>
+
+#include "io/nearest_name.h"
+#include "options/value_checks.h"
+
+namespace mikromakro {
+namespace {
+
+bool is_number(const std::string& word) {
+  char* end = nullptr;
+  std::strtod(word.c_str(), &end);
+  return end != word.c_str() && *end == '\0';
+}
+
+// Digits come first in what the parser takes for a negative number.
+std::string as_value(std::string word) {
+  const bool negative = word.starts_with('-') && is_number(word);
+  if (negative && word[1] == '.') word.insert(1, "0");
+  return word;
+}
+
+std::string of_verb(const CLI::App& program) {
+  std::vector<std::string> storage;
+  for (const CLI::App* verb : program.get_subcommands({})) storage.push_back(verb->get_name());
+  const std::vector<std::string_view> verbs(storage.begin(), storage.end());
+  const std::vector<std::string> given = program.remaining();
+  return fmt::format("command line: {}; expected one of {}, got {}",
+                     given.empty() ? "no verb" : "unknown verb", fmt::join(verbs, ", "),
+                     given.empty() ? "none" : in_quotes_with_guess(given.front(), verbs));
+}
+
+}  // namespace
+
+std::vector<std::string> words_for_parser(int argc, char** argv) {
+  std::vector<std::string> words;
+  for (int i = argc - 1; i > 0; --i) words.push_back(as_value(argv[i]));
+  return words;
+}
+
+std::string complaint_of(const CLI::App& program, const CLI::ParseError& error) {
+  const auto parsed = program.get_subcommands();
+  if (parsed.empty()) return of_verb(program);
+  const CLI::App& verb = *parsed.front();
+  return complaint(verb, error, fmt::format("what `mikromakro {} --help` lists", verb.get_name()));
+}
+
+}  // namespace mikromakro

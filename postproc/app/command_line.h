@@ -1,0 +1,16 @@
+// The words that the program is started with.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace mikromakro {
+
+/// As the parser takes them, last one first. `-.2` is a number, which it would take for an option.
+std::vector<std::string> words_for_parser(int argc, char** argv);
+
+/// What is wrong with them: 'what; expected ..., got ...', with the help of the verb that was meant.
+std::string complaint_of(const CLI::App& program, const CLI::ParseError& error);
+
+}  // namespace mikromakro

@@ -1,0 +1,126 @@
+#include "app/coverage.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "drawing/picture.h"
+#include "io/error.h"
+
+namespace mikromakro {
+namespace {
+
+// Discs and their types only.
+void for_each_frame(FrameSource source, const std::function<bool(const Frame&)>& go_on) {
+  source.notes = std::make_shared<Notes>();  // all was told the first time
+  source.particles_needed = column_set(ParticleColumn::type) & source.particles_needed;
+  FrameStream stream(source);
+  Frame frame;
+  while (stream.next(frame) && go_on(frame)) {
+  }
+}
+
+bool is_averaged(const Particle& particle, const std::vector<int>& types) {
+  return types.empty() || std::find(types.begin(), types.end(), particle.type) != types.end();
+}
+
+// Where the averaged discs are.
+struct Extent {
+  Limits x, y, r;
+
+  void add(const Frame& frame, const VolumeOptions& volumes) {
+    const bool rings = volumes.grid.empty() && volumes.box.empty();
+    const Eigen::Vector2d centre = rings ? ring_centre(volumes) : Eigen::Vector2d::Zero();
+    for (const Particle& particle : frame.particles) {
+      if (!is_averaged(particle, volumes.bulk_types)) continue;
+      for (const double side : {-particle.radius, particle.radius}) {
+        x.add(particle.position.x() + side);
+        y.add(particle.position.y() + side);
+        r.add(std::max(0.0, (particle.position - centre).norm() + side));
+      }
+    }
+  }
+};
+
+std::string place_of(const Extent& discs, const VolumeOptions& volumes) {
+  if (volumes.grid.empty() && volumes.box.empty())
+    return fmt::format("where the discs are, at r = {:.6g} to {:.6g} m", discs.r.low, discs.r.high);
+  return fmt::format("where the discs are, at x = {:.6g} to {:.6g}, y = {:.6g} to {:.6g} m", discs.x.low,
+                     discs.x.high, discs.y.low, discs.y.high);
+}
+
+const std::vector<double>& numbers_of(const VolumeOptions& volumes) {
+  if (!volumes.rings.empty()) return volumes.rings;
+  if (!volumes.edges.empty()) return volumes.edges;
+  return volumes.grid.empty() ? volumes.box : volumes.grid;
+}
+
+}  // namespace
+
+TypesSeen::TypesSeen(std::vector<int> wanted) : wanted_(std::move(wanted)), seen_(wanted_.size()) {}
+
+void TypesSeen::look(const Frame& frame) {
+  for (std::size_t i = 0; i < wanted_.size(); ++i) {
+    if (seen_[i].load(std::memory_order_relaxed)) continue;
+    const auto of_type = [&](const Particle& particle) { return particle.type == wanted_[i]; };
+    if (std::any_of(frame.particles.begin(), frame.particles.end(), of_type)) seen_[i] = true;
+  }
+}
+
+std::vector<int> TypesSeen::missing() const {
+  std::vector<int> types;
+  for (std::size_t i = 0; i < wanted_.size(); ++i)
+    if (!seen_[i]) types.push_back(wanted_[i]);
+  return types;
+}
+
+void check_types(const FrameSource& source, std::string_view option, const TypesSeen& types) {
+  if (types.missing().empty()) return;
+  std::set<int> present;
+  for_each_frame(source, [&](const Frame& frame) {
+    for (const Particle& particle : frame.particles) present.insert(particle.type);
+    return true;
+  });
+  std::vector<int> missing = types.missing();
+  std::erase_if(missing, [&](int type) { return present.count(type) != 0; });
+  if (missing.empty()) return;
+  if (missing.size() == types.wanted().size())
+    throw bad_input({option}, "no disc is of such a type", fmt::format("some of {}", fmt::join(present, ",")),
+                    fmt::format("{}", fmt::join(missing, ",")));
+  source.notes->add(fmt::format("{}: no disc is of type {}; the types are {}", option,
+                                fmt::join(missing, ","), fmt::join(present, ",")));
+}
+
+void check_coverage(const FrameSource& source, const VolumeOptions& volumes) {
+  const auto averager = make_averager(volumes, make_fields({"solid_fraction"}));
+  Extent discs;
+  bool covered = false;
+  for_each_frame(source, [&](const Frame& frame) {
+    covered = (averager->frame_sums(frame) != 0).any();
+    discs.add(frame, volumes);
+    return !covered;
+  });
+  if (covered) return;
+  throw bad_input({volume_option(volumes)}, "no disc lies in any of the volumes",
+                  discs.r.empty() ? "frames with discs" : place_of(discs, volumes),
+                  fmt::format("{}", fmt::join(numbers_of(volumes), " ")));
+}
+
+void check_before(FrameSource source, const VolumeOptions& volumes, const std::vector<int>& wheel_types) {
+  if (!volumes.bulk_types.empty() || !wheel_types.empty())
+    source.particles_needed |= column_set(ParticleColumn::type);
+  TypesSeen bulk(volumes.bulk_types), wheel(wheel_types);
+  for_each_frame(source, [&](const Frame& frame) {
+    bulk.look(frame);
+    wheel.look(frame);
+    return !bulk.missing().empty() || !wheel.missing().empty();
+  });
+  check_types(source, "--bulk-types", bulk);
+  check_types(source, "--wheel-types", wheel);
+  if (!numbers_of(volumes).empty()) check_coverage(source, volumes);
+}
+
+}  // namespace mikromakro

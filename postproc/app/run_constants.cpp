@@ -1,0 +1,102 @@
+#include "app/run_constants.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "io/error.h"
+#include "io/snapshot_parameters.h"
+
+namespace mikromakro {
+namespace {
+
+// A number as a file holds it.
+struct Held {
+  std::string file;
+  double value = 0;
+};
+
+std::vector<std::pair<std::string, RunConstants>> constants_of(const FrameSource& source) {
+  std::vector<std::pair<std::string, RunConstants>> all;
+  for (const Run& run : source.runs()) {
+    for (const std::string& file : run.snapshot_files) {
+      all.emplace_back(file, read_constants(Hdf5File::open(file)));
+      const std::string& units = all.back().second.units;
+      if (!units.empty() && units != "si")
+        throw bad_input({file}, "the run has other units", "units si", in_quotes(units));
+    }
+  }
+  return all;
+}
+
+// As printed with the digits of a float or fewer: options repeat what scripts say, files what engines made of
+// it.
+bool same(double a, double b) {
+  constexpr double digits = 1e-6;
+  return std::abs(a - b) <= digits * std::abs(a);
+}
+
+// The one number of all files; the option where it is given.
+void settle(const std::vector<Held>& held, std::string_view option, std::string_view unit, double& value,
+            Notes& notes) {
+  const bool given = value > 0;
+  for (const Held& one : held) {
+    if (value == 0) value = one.value;
+    if (same(one.value, value)) continue;
+    if (!given)
+      throw bad_input({one.file}, fmt::format("the files do not agree on what {} is", option),
+                      fmt::format("{} {} as in {}, or the option", value, unit, held.front().file),
+                      fmt::format("{}", one.value));
+    notes.add(
+        fmt::format("{} {} {} is used, but {} says {} {}", option, value, unit, one.file, one.value, unit));
+  }
+}
+
+// k_n of all pairs with an averaged disc.
+std::set<double> stiffnesses(const RunConstants& constants, const std::vector<int>& bulk_types) {
+  const auto types = static_cast<int>(std::lround(std::sqrt(constants.normal_stiffness.size())));
+  std::set<double> values;
+  for (int i = 0; i < types; ++i) {
+    if (!bulk_types.empty() && std::find(bulk_types.begin(), bulk_types.end(), i + 1) == bulk_types.end())
+      continue;
+    for (int j = 0; j < types; ++j)
+      values.insert(constants.normal_stiffness[static_cast<std::size_t>(i * types + j)]);
+  }
+  return values;
+}
+
+bool takes_stiffness(const FieldChoice& fields) {
+  const std::vector<std::string>& names = fields.names;
+  return names.empty() || std::any_of(names.begin(), names.end(), [](const std::string& name) {
+           return name == "all" || name == "stiffness";
+         });
+}
+
+}  // namespace
+
+void take_height(const FrameSource& source, double& height) {
+  std::vector<Held> held;
+  for (const auto& [file, constants] : constants_of(source))
+    if (constants.height > 0) held.push_back({file, constants.height});
+  settle(held, "--height", "m", height, *source.notes);
+}
+
+void take_stiffness(const FrameSource& source, const std::vector<int>& bulk_types, FieldChoice& fields) {
+  std::vector<Held> held;
+  for (const auto& [file, constants] : constants_of(source)) {
+    const std::set<double> values = stiffnesses(constants, bulk_types);
+    if (values.size() == 1) held.push_back({file, *values.begin()});
+    if (values.size() > 1 && fields.numbers.normal_stiffness == 0 && takes_stiffness(fields))
+      source.notes->add(
+          fmt::format("{}: k_n is {} to {} N/m, by the types that touch: E and G are in Pa, not in k_n/h",
+                      file, *values.begin(), *values.rbegin()));
+  }
+  double stiffness = fields.numbers.normal_stiffness;
+  settle(held, "--kn", "N/m", stiffness, *source.notes);
+  fields.stiffness_of_run = stiffness;
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,18 @@
+// Thickness and stiffness as snapshot files of runs hold them.
+#pragma once
+
+#include "io/frame_stream.h"
+#include "options/field_options.h"
+#include "options/volume_options.h"
+
+namespace mikromakro {
+
+/// Takes over the height that the files hold, where no option gives one: an option that contradicts them
+/// counts, which is noted. Throws where files contradict each other and no option decides, and on units other
+/// than SI.
+void take_height(const FrameSource& source, double& height);
+/// The same for k_n, of the contacts of averaged discs; where it differs from pair to pair of types none is
+/// taken, which is noted where `fields` need it.
+void take_stiffness(const FrameSource& source, const std::vector<int>& bulk_types, FieldChoice& fields);
+
+}  // namespace mikromakro
