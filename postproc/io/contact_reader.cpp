@@ -123,7 +123,7 @@ class RowReader {
 
   ColumnSet given() const { return map_.given & kept_columns; }
 
-  ContactRow read(std::string_view line, const Place& place) {
+  void read(std::string_view line, ContactRow& row, const Place& place) {
     parse_row(line, map_, row_, place);
     // Rows of walls are few, and their places tell where the wall is.
     if (at(row_, id2) <= 0 && map_.given != wall_map_.given) parse_row(line, wall_map_, row_, place);
@@ -133,9 +133,7 @@ class RowReader {
       at(row_, fy) += at(row_, fty);
     }
     if (walls_) name_wall(place);
-    ContactRow row;
     std::copy_n(row_.begin(), row.value.size(), row.value.begin());
-    return row;
   }
 
  private:
@@ -166,10 +164,10 @@ void check_contact_row(const ContactRow& row, ColumnSet given, bool guessed, con
   if ((normal_columns & ~given) != 0) return;
   const double x = row[nx];
   const double y = row[ny];
-  const double length = std::sqrt(x * x + y * y);
-  if (!(std::abs(length - 1) <= unit_tolerance)) {
+  const double square = x * x + y * y;
+  if (!(std::abs(square - 1) <= 2 * unit_tolerance)) {
     throw bad_input(place, with_hint("the normal is no unit vector", guessed), "length 1 within 1e-5",
-                    fmt::format("{}", length));
+                    fmt::format("{}", std::sqrt(square)));
   }
 }
 
@@ -202,10 +200,12 @@ ContactRows read_contacts(const RowBlock& block, const ContactFormat& format, Co
   contacts.first_line = header.line + 1;
   contacts.rows.reserve(static_cast<std::size_t>(header.rows));
   const bool guessed = format.list.empty() && is_our_compute(header.columns);
+  ContactRow row;
   for (std::string_view rest = block.text; !rest.empty();) {
     ++place.line;
-    contacts.rows.push_back(reader.read(next_line(rest), place));
-    check_contact_row(contacts.rows.back(), contacts.given, guessed, place);
+    reader.read(next_line(rest), row, place);
+    contacts.rows.push_back(row);
+    check_contact_row(row, contacts.given, guessed, place);
   }
   return contacts;
 }
