@@ -31,13 +31,13 @@ std::string with_growing_discs(std::string script) {
   return script;
 }
 
-/// Whoever sets velocities within a step sets those of the half step, as with the stock integrators. A wall at
-/// 0.095 turns the disc that reaches it.
+/// Whoever sets velocities within a step sets those of the half step, as with the stock integrators. A wall
+/// at 0.095 turns the disc that reaches it.
 TEST(Outside, SetsVelocitiesWithinAStep) {
   if (std::string(styles::engine_family) != "LAMMPS") GTEST_SKIP() << "the engine has no fix wall/reflect";
   Engine engine;
-  engine.run(scene(linear, {}, 0.1, 1) + disc(1, 0.09, 0, 0.004) + motion(1, 0.5, 0.1) +
-             "timestep 1e-5\n" + integration + "fix wall all wall/reflect xhi 0.095\nrun 2000\n");
+  engine.run(scene(linear, {}, 0.1, 1) + disc(1, 0.09, 0, 0.004) + motion(1, 0.5, 0.1) + "timestep 1e-5\n" +
+             integration + "fix wall all wall/reflect xhi 0.095\nrun 2000\n");
   // 0.005 m to the wall, 0.005 m back.
   const auto disc = engine.discs().at(1);
   EXPECT_EQ(disc.v_x, -0.5);
@@ -64,7 +64,8 @@ TEST(Outside, ReadsVelocitiesOfTheHalfStep) {
 /// Discs grow by 1e-7 m in a step: in their own, 20 um apart, they touch from step 101 on, in step 1000 they
 /// are pressed by as much as the stock law gives, 5.4 um, and fly apart.
 TEST(Outside, MakesDiscsGrow) {
-  for (const char* law : {"model disc/linear tangential off", "model disc/linear tangential disc/cundall_strack"}) {
+  for (const char* law :
+       {"model disc/linear tangential off", "model disc/linear tangential disc/cundall_strack"}) {
     Engine engine;
     engine.run(with_growing_discs(pair_of_discs(0.00802, law)) + integration +
                "variable d equal 0.008+step*2e-7\nfix grow all adapt 1 atom diameter v_d\nrun 100\n");
@@ -80,7 +81,8 @@ TEST(Outside, MakesDiscsGrow) {
   }
 }
 
-/// Beyond what the lists of the start look for: 0.41 mm between the discs, a skin of 1 mm, both grow by 0.3 mm.
+/// Beyond what the lists of the start look for: 0.41 mm between the discs, a skin of 1 mm, both grow by 0.3
+/// mm.
 TEST(Outside, MakesDiscsGrowAsFarAsTheSkinReaches) {
   Engine engine;
   engine.run(with_growing_discs(pair_of_discs(0.00841)) + integration +
@@ -162,8 +164,8 @@ TEST(FusedSteps, AreClosedByWhoeverActsWithinThem) {
   Engine engine;
   engine.run(with_growing_discs(pair_of_discs(0.01)) + integration + "variable d equal 0.008\nrun 1\n");
   EXPECT_TRUE(may_stay_open(engine));
-  for (const char* fix :
-       {"adapt 1 atom diameter v_d", "addforce 0 0 0", "viscous 0.0", "setforce NULL NULL 0.0", "enforce2d"}) {
+  for (const char* fix : {"adapt 1 atom diameter v_d", "addforce 0 0 0", "viscous 0.0",
+                          "setforce NULL NULL 0.0", "enforce2d"}) {
     engine.run(std::string("fix other all ") + fix + "\nrun 0\n");
     EXPECT_FALSE(may_stay_open(engine)) << fix;
     engine.run("unfix other\nrun 0\n");
