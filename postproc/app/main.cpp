@@ -87,7 +87,7 @@ int run_and_tell(int argc, char** argv) {
     return run(argc, argv);
   } catch (const mikromakro::Error& error) {
     return complain(error.what(),
-                    error.kind() == mikromakro::Error::Kind::bad_input ? exit_bad_input : exit_failed);
+                    error.kind() == mikromakro::Error::Kind::run_failed ? exit_failed : exit_bad_input);
   } catch (const std::exception& error) {
     return complain(error.what(), exit_failed);
   }

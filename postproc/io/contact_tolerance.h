@@ -17,8 +17,8 @@ class ContactTolerance {
 
   /// Of a coordinate of a disc in a row, m.
   double of_place(double radius) const;
-  /// Of a distance, an overlap, and a normal times a distance, m. `told`: the overlap or the distance that the
-  /// row tells, nan for none; `by_row`: places of the row are in it.
+  /// Of a distance, an overlap, and a normal times a distance, m. `told`: the overlap or the distance that
+  /// the row tells, nan for none; `by_row`: places of the row are in it.
   double of_geometry(double smaller_radius, double reach, double told, bool by_row) const;
   /// Whether the places of the discs are told better than those of the rows.
   bool discs_are_better() const { return disc_place_ < row_place_; }

@@ -18,11 +18,12 @@ struct Place {
 
 class Error : public std::runtime_error {
  public:
-  enum class Kind { bad_input, run_failed };
+  enum class Kind { bad_input, run_failed, steps_come_again };
 
   Error(Kind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
 
-  /// Bad input is the user's to mend (exit code 2), a failed run is not (exit code 1).
+  /// Bad input is the user's to mend (exit code 2), a failed run is not (exit code 1). Input whose steps come
+  /// again is read once more, with FrameSource::look_through.
   Kind kind() const { return kind_; }
 
  private:

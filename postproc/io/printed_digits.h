@@ -1,4 +1,5 @@
-// How exactly a file tells its numbers: read off the numbers themselves, whatever kind of file they came from.
+// How exactly a file tells its numbers: read off the numbers themselves, whatever kind of file they came
+// from.
 #pragma once
 
 namespace mikromakro {

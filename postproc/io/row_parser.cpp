@@ -12,6 +12,13 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
 
+// Numbers as C prints them: with a '+', too, which fast_float does not take.
+fast_float::from_chars_result number_of(const char* at, const char* end, double& number) {
+  const auto result = fast_float::from_chars(at, end, number);
+  if (result.ec == std::errc() || end - at < 2 || *at != '+' || at[1] == '-') return result;
+  return fast_float::from_chars(at + 1, end, number);
+}
+
 // Rows as they should be, read in one pass: false for everything else, which the careful way below judges.
 bool parse_plain_row(std::string_view line, const ColumnMap& map, std::span<double> slots) {
   const char* at = line.data();
@@ -24,7 +31,7 @@ bool parse_plain_row(std::string_view line, const ColumnMap& map, std::span<doub
       continue;
     }
     double& number = slots[static_cast<std::size_t>(slot)];
-    const auto [stop, code] = fast_float::from_chars(at, end, number);
+    const auto [stop, code] = number_of(at, end, number);
     if (code != std::errc() || (stop != end && !is_blank(*stop)) || !std::isfinite(number)) return false;
     at = stop;
   }
@@ -64,7 +71,7 @@ std::string_view next_line(std::string_view& rest) {
 double parse_number(std::string_view word, const Place& place) {
   double number = 0;
   const char* const end = word.data() + word.size();
-  const auto [stop, code] = fast_float::from_chars(word.data(), end, number);
+  const auto [stop, code] = number_of(word.data(), end, number);
   if (code != std::errc() || stop != end) throw bad_input(place, "not a number", "a number", in_quotes(word));
   if (!std::isfinite(number))
     throw bad_input(place, "not a finite number", "a finite number", in_quotes(word));
@@ -87,8 +94,11 @@ std::int64_t parse_integer(std::string_view word, const Place& place) {
   return as_integer(parse_number(word, place), "the value", place);
 }
 
-void parse_row(std::string_view line, const ColumnMap& map, std::span<double> slots, const Place& place) {
-  if (parse_plain_row(line, map, slots)) return;
+namespace {
+
+// The way that says what is wrong.
+void parse_other_row(std::string_view line, const ColumnMap& map, std::span<double> slots,
+                     const Place& place) {
   std::string_view rest = line;
   std::size_t read = 0;
   for (const int slot : map.slot_of_column) {
@@ -100,6 +110,24 @@ void parse_row(std::string_view line, const ColumnMap& map, std::span<double> sl
   if (read == map.slot_of_column.size() && next_word(rest).empty()) return;
   throw bad_input(place, "wrong number of columns in the row", fmt::format("{}", map.slot_of_column.size()),
                   fmt::format("{}", words(line).size()));
+}
+
+void check_repeats(std::string_view line, const ColumnMap& map, std::span<const double> slots,
+                   const Place& place) {
+  const auto all = words(line);
+  for (const auto& [column, slot] : map.repeats) {
+    const double first = slots[static_cast<std::size_t>(slot)];
+    if (parse_number(all[column], place) != first)
+      throw bad_input(place, "a column that is there twice differs", fmt::format("{} in both", first),
+                      in_quotes(all[column]));
+  }
+}
+
+}  // namespace
+
+void parse_row(std::string_view line, const ColumnMap& map, std::span<double> slots, const Place& place) {
+  if (!parse_plain_row(line, map, slots)) parse_other_row(line, map, slots, place);
+  if (!map.repeats.empty()) check_repeats(line, map, slots, place);
 }
 
 }  // namespace mikromakro
