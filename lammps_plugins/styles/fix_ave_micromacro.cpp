@@ -135,7 +135,7 @@ void FixAveMicromacro::end_of_step() {
   RawFrame raw = gather_frame(*lmp, groupbit, style);
   on_first_rank(*lmp, style, [&] {
     Frame frame;
-    join(raw, frame);
+    join(raw, frame, {});
     averaged_.add(frame.step, averager_->frame_sums(frame));
     if (update->ntimestep % write_every_ == 0) write();
   });

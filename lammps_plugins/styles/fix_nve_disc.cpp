@@ -107,6 +107,7 @@ void FixNveDisc::find_members() {
 }
 
 void FixNveDisc::begin_step() {
+  half_steps_wait_ = false;
   const double dt = update->dt;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (predicts_) predictions_[i].values = Four{0, 0, 0, 0};
