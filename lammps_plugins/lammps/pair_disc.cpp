@@ -271,9 +271,9 @@ void PairDisc::Law::read(int narg, char** arg) {
   while (arguments.more()) {
     if (take_setting(arguments)) continue;
     if (!arguments.take_once("tangential"))
-      fail("unknown keyword '" + arguments.word("keyword") +
-           "'; expected tangential, damping, tangential_damping" +
-           (normal_ == physics::Normal::hertz ? ", limitForce or impact_velocity" : " or limitForce"));
+      arguments.unexpected(std::string("tangential, damping, tangential_damping, limitForce") +
+                           (normal_ == physics::Normal::hertz ? ", impact_velocity" : "") +
+                           " or the end of the command");
     if (arguments.take("disc/viscous")) {
       set_tangential(Tangential::viscous_coulomb);
     } else if (arguments.take("disc/cundall_strack")) {

@@ -1,8 +1,10 @@
 #include "model_names.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "force.h"
 #include "granular_pair_style.h"
 #include "granular_wall.h"
+#include "io/nearest_name.h"
 
 namespace mikromakro::styles {
 
@@ -37,8 +40,9 @@ const std::map<std::string, Choice> choices = {
 
 /// Also where it is mistyped.
 bool names_discs(const std::string& word) {
-  return word.starts_with("disc/") ||
-         !did_you_mean(word, choices.at("model").text + " " + choices.at("tangential").text).empty();
+  constexpr std::array<std::string_view, 4> names = {"disc/linear", "disc/hertz", "disc/viscous",
+                                                     "disc/cundall_strack"};
+  return word.starts_with("disc/") || !nearest_name(word, names).empty();
 }
 
 /// Kinds of models and their names, with which the arguments begin.
@@ -49,19 +53,16 @@ std::vector<std::pair<std::string, std::string>> models_in(const Words& words) {
   return named;
 }
 
-bool any_of_discs(const Words& words) {
-  const auto named = models_in(words);
-  return std::any_of(named.begin(), named.end(), [](const auto& model) { return names_discs(model.second); });
-}
-
 std::string fault_of(const Words& words) {
-  if (!any_of_discs(words)) return "";
-  if (words.front() != "model") return "expected 'model disc/linear' or 'model disc/hertz' first";
+  if (std::none_of(words.begin(), words.end(), names_discs)) return "";
+  if (words.front() != "model")
+    return "expected 'model disc/linear' or 'model disc/hertz' first, got " +
+           quoted_with_guess(words.front(), "model");
   for (const auto& [kind, name] : models_in(words)) {
     const Choice& choice = choices.at(kind);
     if (std::find(choice.names.begin(), choice.names.end(), name) == choice.names.end())
-      return kind + ": expected " + choice.text + " with a model of discs, got '" + name + "'" +
-             did_you_mean(name, choice.text);
+      return kind + ": expected " + choice.text + " with a model of discs, got " +
+             quoted_with_guess(name, choice.text);
   }
   return "";
 }
@@ -77,7 +78,9 @@ int64_t select_pair_models(int& count, char**& words, Custom_contact_models cust
 }
 
 int64_t select_wall_models(int& count, char**& words, Custom_contact_models custom) {
-  const bool ours = any_of_discs({words, words + count});
+  const auto named = models_in({words, words + count});
+  const bool ours =
+      std::any_of(named.begin(), named.end(), [](const auto& model) { return names_discs(model.second); });
   return ours ? faulty : models::Factory::select(count, words, std::move(custom));
 }
 
@@ -96,22 +99,23 @@ LIGGGHTS::Walls::IGranularWall* refuse_wall(LAMMPS* engine, LAMMPS_NS::FixWallGr
 
 // The tables of the engine's factories are private, and say so on the screen where an entry is replaced by
 // the function meant for it; see engine_access.cpp for the way in.
-template <class Interface>
-struct Selectors {
-  using Selector = int64_t (*)(int&, char**&, Custom_contact_models);
-  using Type = std::map<std::string, Selector> LIGGGHTS::Utils::AbstractFactory<Interface>::*;
-  friend Type member(Selectors tag);
+using Selectors = std::map<std::string, int64_t (*)(int&, char**&, Custom_contact_models)>;
+using PairFactory = LIGGGHTS::Utils::AbstractFactory<LIGGGHTS::PairStyles::IGranularPairStyle>;
+using WallFactory = LIGGGHTS::Utils::AbstractFactory<LIGGGHTS::Walls::IGranularWall>;
+struct PairSelectors {
+  using Type = Selectors PairFactory::*;
+  friend Type member(PairSelectors tag);
+};
+struct WallSelectors {
+  using Type = Selectors WallFactory::*;
+  friend Type member(WallSelectors tag);
 };
 template <class Tag, typename Tag::Type Member>
 struct Grant {
   friend typename Tag::Type member(Tag /*tag*/) { return Member; }
 };
-using PairSelectors = Selectors<LIGGGHTS::PairStyles::IGranularPairStyle>;
-using WallSelectors = Selectors<LIGGGHTS::Walls::IGranularWall>;
-template struct Grant<PairSelectors, &LIGGGHTS::Utils::AbstractFactory<
-                                         LIGGGHTS::PairStyles::IGranularPairStyle>::variantSelectorTable>;
-template struct Grant<
-    WallSelectors, &LIGGGHTS::Utils::AbstractFactory<LIGGGHTS::Walls::IGranularWall>::variantSelectorTable>;
+template struct Grant<PairSelectors, &PairFactory::variantSelectorTable>;
+template struct Grant<WallSelectors, &WallFactory::variantSelectorTable>;
 
 }  // namespace
 

@@ -70,10 +70,9 @@ void PairGranDisc::settings(int narg, char** arg, LIGGGHTS::IContactHistorySetup
   Arguments arguments(*DiscLaw::lmp, style(), narg, arg);
   while (arguments.more()) {
     if (take_setting(arguments) || take_switch(arguments, "absolute_damping", absolute_damping)) continue;
-    fail("unknown keyword '" + arguments.word("keyword") +
-         "'; expected damping, tangential_damping, limitForce" +
-         (effects().normal == Normal::hertz ? ", absolute_damping or impact_velocity"
-                                            : " or absolute_damping"));
+    arguments.unexpected(std::string("damping, tangential_damping, limitForce, absolute_damping") +
+                         (effects().normal == Normal::hertz ? ", impact_velocity" : "") +
+                         " or the end of the command");
   }
   // Accepted for scripts of the stock law; the disc law knows only absolute damping constants.
   if (!absolute_damping) fail("has only 'absolute_damping on' (gamman_abs, gammat_abs)");

@@ -33,15 +33,14 @@ bool in_word(char letter) {
 
 }  // namespace
 
-std::string did_you_mean(const std::string& word, const std::string& names) {
+std::string quoted_with_guess(const std::string& word, const std::string& names) {
   std::vector<std::string_view> known;
   for (auto begin = names.begin(); begin != names.end();) {
     const auto end = std::find_if_not(begin, names.end(), in_word);
     if (end - begin > 2) known.emplace_back(begin, end);
     begin = std::find_if(end, names.end(), in_word);
   }
-  const std::string_view nearest = nearest_name(word, known);
-  return nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?";
+  return in_quotes_with_guess(word, known);
 }
 
 void stop(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std::string& what) {
@@ -97,8 +96,7 @@ long Arguments::integer(const std::string& name, long least, long most) {
 
 void Arguments::unexpected(const std::string& accepted) {
   fail("expected " + accepted + ", got " +
-       (more() ? quoted(arguments_[next_]) + did_you_mean(arguments_[next_], accepted)
-               : std::string("the end of the command")));
+       (more() ? quoted_with_guess(arguments_[next_], accepted) : std::string("the end of the command")));
 }
 
 void Arguments::expected(const std::string& name, const std::string& what, const std::string& found) {

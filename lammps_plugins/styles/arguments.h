@@ -50,8 +50,8 @@ class Arguments {
   std::set<std::string, std::less<>> taken_once_;
 };
 
-// "; did you mean 'NAME'?" where one of the words of a text looks like `word`, else nothing.
-std::string did_you_mean(const std::string& word, const std::string& names);
+// 'word', with the one of the words of a text that was meant, if one looks like it.
+std::string quoted_with_guess(const std::string& word, const std::string& names);
 
 // A number as users write it: 0.0053, not 0.005300000.
 std::string text_of(double value);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <string>
 
 #include <mpi.h>
@@ -135,6 +136,12 @@ void DiscLaw::find_largest_radii() {
   }
 }
 
+double DiscLaw::sum_of_radii() const {
+  double sum = std::accumulate(atom->radius, atom->radius + atom->nlocal, 0.0);
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, world);
+  return sum;
+}
+
 void DiscLaw::begin_run(std::vector<physics::ContactParameters> parameters) {
   parameters_ = std::move(parameters);
   one_material_ = std::all_of(parameters_.begin(), parameters_.end(),
@@ -142,6 +149,7 @@ void DiscLaw::begin_run(std::vector<physics::ContactParameters> parameters) {
   run_started_ = false;
   find_integrators();
   find_largest_radii();
+  sum_of_radii_ = sum_of_radii();
   schedule_.look_up(*lmp);
   readers_.look_up(*lmp);
   packed_.may_stay_open = packed_.open = false;
@@ -154,6 +162,8 @@ void DiscLaw::begin_run(std::vector<physics::ContactParameters> parameters) {
 /// Once in each run, at its set-up; the engine also initialises when it writes a restart file.
 void DiscLaw::start_run(const NeighList& list) {
   run_started_ = true;
+  constexpr double rounding = 1e-12;
+  lists_are_old_ = sum_of_radii() > sum_of_radii_ * (1 + rounding);
   check_discs(*lmp, style());
   check_time_step(*lmp, list, style(), {effects_, parameters_, impact_velocity_});
   tell(*lmp, effects_line(effects_, *modify, predicted_));

@@ -72,7 +72,8 @@ void DiscLaw::remember_places() {
   }
   // Of discs that grow in the step of a build their old numbers are not known; they go on growing.
   beyond_lists_ = beyond + growth_;
-  lessen_trigger(beyond_lists_ + growth_);
+  lessen_trigger(lists_are_old_ ? neighbor->skin : beyond_lists_ + growth_);
+  lists_are_old_ = false;
 }
 
 /// Discs that grow come closer as if they moved: the engine builds new lists as soon as any may have used up

@@ -105,7 +105,7 @@ void FixAveMicromacro::parse(std::vector<std::string> words) {
   CLI::App app;
   app.set_help_flag();
   add_average_options(app, options_);
-  check_numbers(app);
+  check_values(app);
   name_options(app, words);
   // The parser takes its arguments from the back.
   std::reverse(words.begin(), words.end());

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <memory>
 
 #include "app/audits.h"
@@ -13,7 +14,12 @@ namespace {
 void complete(AuditOptions& options) {
   const FrameSource source = frame_source(options.input);
   take_height(source, options.volumes.height);
+  if (options.volumes.height == 0) options.units = {"N/m", "m^2"};
   options.volumes.height = thickness(options.volumes);
+  FieldChoice stiffness{{"stress"}, {}};
+  if (!std::isnan(options.kn)) stiffness.numbers.normal_stiffness = options.kn;
+  take_stiffness(source, options.volumes.bulk_types, stiffness);
+  if (stiffness.stiffness_of_run > 0) options.kn = stiffness.stiffness_of_run;
   VolumeOptions volumes = options.volumes;
   volumes.weight = "sliced";
   check_before(source, volumes, options.wheel_types);
@@ -30,7 +36,8 @@ void add_audit_command(CLI::App& program) {
   app->callback([options] {
     complete(*options);
     const bool rings = !options->volumes.rings.empty() || !options->volumes.edges.empty();
-    check_bound(rings ? audit_rings(*options) : audit_box(*options), options->bound);
+    reading_again(options->input,
+                  [&] { check_bound(rings ? audit_rings(*options) : audit_box(*options), options->bound); });
   });
 }
 

@@ -22,6 +22,10 @@ void add_audit_options(CLI::App& app, AuditOptions& options) {
   app.add_option("--margin", options.margin,
                  "rings nearer than this to the first and last edge are shown but not judged (m), default 0")
       ->check(not_negative());
+  app.add_option("--kn", options.kn,
+                 "normal stiffness k_n (N/m): forces of discs are set beside k_n overlap; default that of "
+                 "the snapshots")
+      ->check(positive());
   app.add_option("--bound", options.bound, "exit code 1 when a balance is off by more than this part")
       ->check(not_negative());
   app.add_flag("--json", options.json, "print JSON");

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
+#include "app/audit_report.h"
 #include "app/input_options.h"
 #include "options/volume_options.h"
 
@@ -14,7 +15,9 @@ struct AuditOptions {
   VolumeOptions volumes;
   std::vector<int> wheel_types;
   double margin = 0;
+  double kn = std::numeric_limits<double>::quiet_NaN();
   double bound = std::numeric_limits<double>::quiet_NaN();
+  AuditUnits units;
   bool json = false;
   bool quiet = false;
 };

@@ -4,14 +4,31 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <limits>
 
 #include "io/error.h"
 
 namespace mikromakro {
 
+Balance law_balance(const NormalForces& forces) {
+  if (std::isnan(forces.stiffness()))
+    return {"law", std::numeric_limits<double>::quiet_NaN(), "no contacts of two discs", false};
+  const std::string slope = fmt::format("f_n/overlap is {:.6g} N/m on the average", forces.stiffness());
+  if (forces.stiffness_is_known())
+    return {"law", forces.deviation(),
+            "mean |f_n - k_n overlap| of two discs over the mean k_n overlap; " + slope};
+  return {"law", forces.pulling(),
+          "part of the normal forces of two discs that pulls; without --kn, sizes are not judged: " + slope};
+}
+
+std::string number_or_dash(double value, int width, std::string_view format) {
+  if (std::isnan(value)) return fmt::format("{:>{}}", '-', width);
+  return fmt::format("{:>{}}", fmt::format(fmt::runtime(format), value), width);
+}
+
 void print_balances(const Balances& balances) {
   for (const Balance& balance : balances)
-    fmt::print("{:<9} {:>10.3e}  {}\n", balance.name, balance.value, balance.text);
+    fmt::print("{:<9} {}  {}\n", balance.name, number_or_dash(balance.value, 10, "{:.3e}"), balance.text);
 }
 
 void add_balances(JsonObject& json, const Balances& balances) {
@@ -22,8 +39,9 @@ void check_bound(const Balances& balances, double bound) {
   if (std::isnan(bound)) return;
   std::vector<std::string> off;
   for (const Balance& balance : balances) {
-    if (balance.judged && !(balance.value <= bound))
-      off.push_back(fmt::format("{} {:.3g}", balance.name, balance.value));
+    if (!balance.judged || balance.value <= bound) continue;
+    off.push_back(std::isnan(balance.value) ? fmt::format("{} unknown: {}", balance.name, balance.text)
+                                            : fmt::format("{} {:.3g}", balance.name, balance.value));
   }
   if (!off.empty())
     throw run_failed("balances are off", fmt::format("at most {}", bound),

@@ -53,8 +53,7 @@ void write(const CommandOptions& options, const Task& task, const Averaged& aver
   write_averages(task.options, *task.averager, averaged, std::move(lines), *task.outputs);
 }
 
-void average(const CommandOptions& options) {
-  const Ranks ranks;
+void average(const CommandOptions& options, const Ranks& ranks) {
   Task task;
   ranks.agree([&] { task = task_of(options, ranks); });
   const SumFrame sum = [&](const Frame& frame) { return task.averager->frame_sums(frame); };
@@ -72,7 +71,10 @@ void add_average_command(CLI::App& program) {
       "average", "fields over rings, sectors or rectangles from particle and contact dumps");
   auto options = std::make_shared<CommandOptions>();
   add_options(*app, *options);
-  app->callback([options] { average(*options); });
+  app->callback([options] {
+    const Ranks ranks;
+    reading_again(options->input, [&] { average(*options, ranks); });
+  });
 }
 
 }  // namespace mikromakro

@@ -1,13 +1,14 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "app/audits.h"
-#include "audit/box_balance.h"
+#include "app/box_audit_report.h"
 #include "audit/cell_balance.h"
 #include "audit/contact_balance.h"
+#include "audit/normal_forces.h"
 #include "audit/table_column.h"
 #include "averaging/time_average.h"
 #include "io/error.h"
@@ -15,18 +16,10 @@
 namespace mikromakro {
 namespace {
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
 // Below this the walls bear normal forces only.
 constexpr double smooth = 1e-12;
-
-constexpr std::array<std::string_view, box_walls> wall_names = {"left", "right", "bottom", "top"};
-constexpr std::array<std::string_view, 4> components = {"xx", "xy", "yx", "yy"};
-
-struct BoxAudit {
-  BoxBalance box;
-  double disc_volume = 0;  // of discs with their centres inside, a frame
-  std::vector<CellBalance> cells;
-  Balances balances;
-};
 
 VolumeOptions checked(const AuditOptions& options) {
   if (!options.wheel_types.empty())
@@ -76,7 +69,8 @@ class BoxAuditor {
   explicit BoxAuditor(const AuditOptions& options)
       : volumes_(checked(options)),
         given_(given_box(volumes_)),
-        contacts_({Eigen::Vector2d::Zero(), volumes_.bulk_types, {}}) {
+        contacts_({Eigen::Vector2d::Zero(), volumes_.bulk_types, {}}),
+        forces_(options.kn) {
     if (volumes_.grid.empty()) return;
     cells_ = make_averager(volumes_, make_fields({"solid_fraction", "stress", "wall_force_density"}));
     is_kernel_ = make_weight(volumes_.weight)->is_kernel();
@@ -86,6 +80,7 @@ class BoxAuditor {
     require_contacts(input, "the stress of walls needs");
     FrameSource source = frame_source(input);
     if (!volumes_.bulk_types.empty()) source.particles_needed = column_set(ParticleColumn::type);
+    source.contacts_required = true;
     source.contacts_needed = column_set(ContactColumn::fx, ContactColumn::fy, ContactColumn::overlap);
     return source;
   }
@@ -105,6 +100,7 @@ class BoxAuditor {
     volume_by_centre_ += disc_volume_of(table, volumes_.height);
     disc_volume_ += volumes_.height * disc_area_inside(frame, box, volumes_.bulk_types);
     contacts_.add(frame);
+    forces_.add(frame);
     if (!cells_) return;
     of_cells_.add(cells_->frame_sums(frame));
     if (volumes_.weight == "centre") return;
@@ -117,22 +113,54 @@ class BoxAuditor {
     audit.box = box_;
     const auto frames = static_cast<double>(box_.frames());
     audit.disc_volume = disc_volume_ / frames;
-    const bool is_smooth = box_.friction() < smooth;
-    audit.balances = {
-        {"stress", box_.stress_deviation(),
-         "largest difference of a component, volume and boundary, over the pressure"},
-        {"walls", box_.wall_deviation(),
-         is_smooth ? "largest difference of normal stresses, walls and volume, over the pressure"
-                   : "the same of the walls' normal stresses; not judged, since walls have friction",
-         is_smooth},
-        {"forces", box_.wall_residual(), "sum of the forces of the walls over the mean of one"},
-        {"residual", contacts_.force_residual(), "mean force on a disc over the mean contact force"}};
+    audit.balances = {stress_balance()};
+    add_walls(audit);
+    audit.balances.push_back({"residual", contacts_.force_residual(),
+                              std::isnan(contacts_.force_residual())
+                                  ? "no contacts of averaged discs"
+                                  : "mean force on a disc over the mean contact force"});
     add_volume(audit);
+    audit.balances.push_back(law_balance(forces_));
     if (cells_) add_momentum(audit);
     return audit;
   }
 
  private:
+  Balance stress_balance() const {
+    const bool x = box_.is_open(0);
+    const bool y = box_.is_open(1);
+    if (x && y)
+      return {"stress", nan, "not judged: periodic along x and y, without walls to compare with", false};
+    if (!box_.has_boundary())
+      return {"stress", nan, "no contacts with walls, nor with discs that are not averaged"};
+    if (!x && !y)
+      return {"stress", box_.stress_deviation(),
+              "largest difference of a component, volume and boundary, over the pressure"};
+    return {"stress", box_.stress_deviation(),
+            fmt::format("the same of the components of {} only: periodic along {}, without walls there",
+                        x ? "xy, yy" : "xx, yx", x ? 'x' : 'y')};
+  }
+
+  void add_walls(BoxAudit& audit) const {
+    if (!box_.has_walls()) {
+      const bool judged = box_.may_have_wall(0) || box_.may_have_wall(2);
+      const char* text = "no contacts with walls -1, -2, -3, -4";
+      // Other boundaries, such as rows of discs, are in the balance of the stress.
+      const bool other = box_.has_boundary() || !judged;
+      audit.balances.push_back({"walls", nan, text, !other});
+      audit.balances.push_back({"forces", nan, text, !other});
+      return;
+    }
+    const bool is_smooth = box_.friction() < smooth;
+    audit.balances.push_back(
+        {"walls", box_.wall_deviation(),
+         is_smooth ? "largest difference of normal stresses, walls and volume, over the pressure"
+                   : "the same of the walls' normal stresses; not judged, since walls have friction",
+         is_smooth});
+    audit.balances.push_back(
+        {"forces", box_.wall_residual(), "sum of the forces of the walls over the mean of one"});
+  }
+
   void add_volume(BoxAudit& audit) const {
     const bool by_centre = volumes_.weight == "centre";
     const double all = by_centre ? disc_volume_ : volume_by_weight_;
@@ -140,8 +168,9 @@ class BoxAuditor {
                                       static_cast<double>(box_.frames())
                                 : volume_by_centre_;
     audit.balances.push_back({"volume", std::abs(found / all - 1),
-                              by_centre ? "sum of nu V against the volume of the discs inside"
-                                        : "sum of nu V over the cells against the whole box"});
+                              !(all > 0)  ? "no averaged disc inside"
+                              : by_centre ? "sum of nu V against the volume of the discs inside"
+                                          : "sum of nu V over the cells against the whole box"});
   }
 
   void add_momentum(BoxAudit& audit) const {
@@ -163,79 +192,20 @@ class BoxAuditor {
   bool is_kernel_ = false;
   BoxBalance box_;
   ContactBalance contacts_;
+  NormalForces forces_;
   TimeAverage of_cells_{0};
   double disc_volume_ = 0;
   double volume_by_centre_ = 0;
   double volume_by_weight_ = 0;
 };
 
-void print_text(const BoxAudit& audit) {
-  const Rectangle box = audit.box.box();
-  // n is the axis to which the wall is normal.
-  fmt::print("{:>10} {:>14} {:>14} {:>14} {:>14}\n", "wall", "F_x/N", "F_y/N", "s_xn/Pa", "s_yn/Pa");
-  for (int number = 0; number < box_walls; ++number) {
-    const WallStress wall = audit.box.wall(number);
-    fmt::print("{:>10} {:>14.6g} {:>14.6g} {:>14.9g} {:>14.9g}\n",
-               wall_names[static_cast<std::size_t>(number)], wall.force[0], wall.force[1], wall.stress[0],
-               wall.stress[1]);
-  }
-  fmt::print("{:>10} {:>14} {:>14} {:>14} {:>14}\n", "", "s_xx/Pa", "s_xy/Pa", "s_yx/Pa", "s_yy/Pa");
-  const auto print = [](std::string_view name, const Eigen::Matrix2d& stress) {
-    fmt::print("{:>10} {:>14.9g} {:>14.9g} {:>14.9g} {:>14.9g}\n", name, stress(0, 0), stress(0, 1),
-               stress(1, 0), stress(1, 1));
-  };
-  print("volume", audit.box.volume_stress());
-  print("boundary", audit.box.boundary_stress());
-  fmt::print(
-      "{} frames; box {:.9g} {:.9g} {:.9g} {:.9g} m; volume of discs {:.6g} m^3; friction of walls {:.3g}\n",
-      audit.box.frames(), box.low[0], box.high[0], box.low[1], box.high[1], audit.disc_volume,
-      audit.box.friction());
-  print_balances(audit.balances);
-}
-
-void add_stress(JsonObject& json, std::string_view name, const Eigen::Matrix2d& stress) {
-  for (std::size_t i = 0; i < 4; ++i)
-    json.add(fmt::format("{}_sigma_{}", name, components[i]),
-             stress(static_cast<Eigen::Index>(i / 2), static_cast<Eigen::Index>(i % 2)));
-}
-
-void print_json(const BoxAudit& audit) {
-  JsonObject json;
-  const Rectangle box = audit.box.box();
-  json.add("frames", audit.box.frames());
-  json.add("box", std::vector<double>{box.low[0], box.high[0], box.low[1], box.high[1]});
-  json.add("volume_of_discs", audit.disc_volume);
-  json.add("friction_of_walls", audit.box.friction());
-  add_stress(json, "volume", audit.box.volume_stress());
-  add_stress(json, "boundary", audit.box.boundary_stress());
-  for (int number = 0; number < box_walls; ++number) {
-    const WallStress wall = audit.box.wall(number);
-    JsonObject one;
-    one.add("force", std::vector<double>{wall.force[0], wall.force[1]});
-    one.add("area", wall.area);
-    one.add(number < 2 ? "sigma_xx" : "sigma_xy", wall.stress[0]);
-    one.add(number < 2 ? "sigma_yx" : "sigma_yy", wall.stress[1]);
-    json.add(wall_names[static_cast<std::size_t>(number)], one);
-  }
-  add_balances(json, audit.balances);
-  const auto add = [&](std::string_view name, const auto& value_of) {
-    std::vector<double> values;
-    for (const CellBalance& cell : audit.cells) values.push_back(value_of(cell));
-    json.add(name, values);
-  };
-  add("x", [](const CellBalance& cell) { return cell.x; });
-  add("y", [](const CellBalance& cell) { return cell.y; });
-  add("momentum_x", [](const CellBalance& cell) { return cell.left[0]; });
-  add("momentum_y", [](const CellBalance& cell) { return cell.left[1]; });
-  fmt::print("{}\n", json.text());
-}
-
 }  // namespace
 
 Balances audit_box(const AuditOptions& options) {
   BoxAuditor auditor(options);
   read_frames(auditor.source(options.input), options.quiet, [&](const Frame& frame) { auditor.add(frame); });
-  const BoxAudit audit = auditor.result();
+  BoxAudit audit = auditor.result();
+  audit.units = options.units;
   options.json ? print_json(audit) : print_text(audit);
   return audit.balances;
 }

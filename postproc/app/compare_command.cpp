@@ -167,8 +167,7 @@ void report(const CompareOptions& options, const Task& task, const Averaged& ave
   if (!resolutions.empty()) fmt::print("\n{}", resolutions);
 }
 
-void compare(const CompareOptions& options) {
-  const Ranks ranks;
+void compare(const CompareOptions& options, const Ranks& ranks) {
   Task task;
   ranks.agree([&] { task = task_of(options, ranks); });
   const SumFrame sum = [&](const Frame& frame) { return all_sums(task, frame); };
@@ -186,7 +185,10 @@ void add_compare_command(CLI::App& program) {
       "compare", "differences between weights and resolutions, field by field, from one pass over the input");
   auto options = std::make_shared<CompareOptions>();
   add_options(*app, *options);
-  app->callback([options] { compare(*options); });
+  app->callback([options] {
+    const Ranks ranks;
+    reading_again(options->input, [&] { compare(*options, ranks); });
+  });
 }
 
 }  // namespace mikromakro

@@ -24,7 +24,8 @@ struct ConvertOptions {
 void convert(const ConvertOptions& options) {
   if (!options.out.ends_with(".h5"))
     throw bad_input({"--out"}, "unknown kind of output file", "a name ending in .h5", in_quotes(options.out));
-  const FrameSource source = frame_source(options.input);
+  FrameSource source = frame_source(options.input);
+  source.particles_needed = column_set(ParticleColumn::id);
   check_outputs({options.out}, source.files());
   OutputFile file(options.out);
   file.require_regular();
@@ -58,7 +59,7 @@ void add_convert_command(CLI::App& program) {
   app->add_option("--timestep", options->time_step, "DT (s): times are written beside the steps")
       ->check(positive());
   app->add_flag("--quiet", options->quiet, "no progress bar");
-  app->callback([options] { convert(*options); });
+  app->callback([options] { reading_again(options->input, [&] { convert(*options); }); });
 }
 
 }  // namespace mikromakro

@@ -114,7 +114,8 @@ FrameSource source_of(const DrawOptions& options) {
   if (style.network) source.contacts_needed |= column_set(ContactColumn::overlap);
   if (style.chains)
     source.contacts_needed |= column_set(ContactColumn::fx, ContactColumn::fy, ContactColumn::overlap);
-  if (source.contacts_needed != 0) require_contacts(options.input, "the picture needs");
+  source.contacts_required = source.contacts_needed != 0;
+  if (source.contacts_required) require_contacts(options.input, "the picture needs");
   return source;
 }
 
@@ -198,7 +199,7 @@ void add_draw_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("draw", "discs, contact network and force chains as PNG or SVG");
   auto options = std::make_shared<DrawOptions>();
   add_options(*app, *options);
-  app->callback([options] { draw(*options); });
+  app->callback([options] { reading_again(options->input, [&] { draw(*options); }); });
 }
 
 }  // namespace mikromakro

@@ -11,6 +11,7 @@
 namespace mikromakro {
 
 void add_input_options(CLI::App& app, InputOptions& options) {
+  app.option_defaults()->group("Input");
   app.add_option("input", options.snapshots, "HDF5 snapshots (names or patterns), instead of text dumps");
   app.add_option("--snapshots", options.snapshot_runs,
                  "the same as an option; given again for every further run");
@@ -25,19 +26,22 @@ void add_input_options(CLI::App& app, InputOptions& options) {
                  "--particles");
   app.add_option("--density", options.density, "areal density rho h (kg/m^2) for files that give no masses")
       ->check(positive());
-  app.add_option("--frames", options.frames, "FIRST:LAST[:STEP]: frames by index from 0");
-  app.add_option("--steps", options.steps, "A:B: frames by time step");
+  app.add_option("--frames", options.frames,
+                 "FIRST:LAST[:STEP] or one: frames by index from 0, below 0 from the end (-1: the last one)");
+  app.add_option("--steps", options.steps, "A:B or one: frames by time step");
   app.add_option("--particle-columns", options.particle_columns, "names of all columns, - to skip one")
       ->delimiter(',');
-  app.add_option("--contact-columns", options.contact_columns,
-                 "names of all columns, - to skip one; or liggghts (compute pair/gran/local), lammps (compute "
-                 "property/local patom1 patom2 and pair/local dist fx fy, or dist force fx fy fz p1 ...)")
+  app.add_option(
+         "--contact-columns", options.contact_columns,
+         "names of all columns, - to skip one; or liggghts (compute pair/gran/local), lammps (compute "
+         "property/local patom1 patom2 and pair/local dist fx fy, or dist force fx fy fz p1 ...)")
       ->delimiter(',');
   app.add_option("--wall-contact-columns", options.wall_columns,
                  "the same of --wall-contacts; default liggghts (compute wall/gran/local)")
       ->delimiter(',');
   app.add_flag("--distant-contacts", options.distant_contacts,
                "discs that do not touch may exert forces (cohesion, liquid bridges); else an error");
+  app.option_defaults()->group("Options");
 }
 
 namespace {
@@ -99,6 +103,7 @@ FrameSource frame_source(const InputOptions& options) {
   source.wall_files = std::move(runs.front().wall_files);
   source.further_runs.assign(std::next(runs.begin()), runs.end());
   source.density = options.density;
+  source.look_through = options.look_through;
   source.particle_columns = options.particle_columns;
   source.contact_columns = options.contact_columns;
   source.wall_columns = options.wall_columns;
@@ -115,13 +120,26 @@ void require_contacts(const InputOptions& options, std::string_view what) {
 
 FrameSource source_of(const InputOptions& options, const Averager& averager) {
   if (!options.any_contacts() && !has_snapshots(options) && averager.needs_contacts()) {
-    throw bad_input({"--contacts"}, "the fields need contacts",
-                    "files of contacts, or --fields that need none", "none");
+    throw bad_input(
+        {"--contacts"}, "the fields need contacts",
+        fmt::format("files of contacts, or --fields of {}", fmt::join(field_names_without_contacts(), ",")),
+        "none");
   }
   FrameSource source = frame_source(options);
   source.particles_needed = averager.particles_needed();
   source.contacts_needed = averager.contacts_needed();
+  source.contacts_required = averager.needs_contacts();
   return source;
+}
+
+void reading_again(InputOptions& options, const std::function<void()>& read) {
+  try {
+    return read();
+  } catch (const Error& error) {
+    if (error.kind() != Error::Kind::steps_come_again || options.look_through) throw;
+  }
+  options.look_through = true;
+  read();
 }
 
 void describe_input(const InputOptions& options, const FrameSource& source, Preamble& lines) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct InputOptions {
   std::vector<std::vector<std::string>> particles, contacts, walls, snapshot_runs;  ///< for each run
   double density = 0;
   std::string frames, steps;
+  bool look_through = false;  ///< no option: see reading_again
   bool distant_contacts = false;
 
   bool any_contacts() const { return !contacts.empty() || !walls.empty(); }
@@ -32,6 +34,10 @@ void require_contacts(const InputOptions& options, std::string_view what);
 
 /// What to read for the fields of `averager`. Throws when they need contacts and none are given.
 FrameSource source_of(const InputOptions& options, const Averager& averager);
+
+/// Does `read`. Where steps of text dumps come again, which is seen in their midst, it is done once more from
+/// the beginning, with the files looked through before.
+void reading_again(InputOptions& options, const std::function<void()>& read);
 
 /// Lines above a table: the inputs and how they were read.
 void describe_input(const InputOptions& options, const FrameSource& source, Preamble& lines);

@@ -64,7 +64,7 @@ int run(int argc, char** argv) {
   mikromakro::add_convert_command(program);
   mikromakro::add_draw_command(program);
   mikromakro::add_timestep_command(program);
-  for (CLI::App* verb : program.get_subcommands({})) mikromakro::check_numbers(*verb);
+  for (CLI::App* verb : program.get_subcommands({})) mikromakro::check_values(*verb);
   try {
     program.parse(mikromakro::words_for_parser(argc, argv));
   } catch (const CLI::ParseError& error) {
@@ -87,7 +87,7 @@ int run_and_tell(int argc, char** argv) {
     return run(argc, argv);
   } catch (const mikromakro::Error& error) {
     return complain(error.what(),
-                    error.kind() == mikromakro::Error::Kind::bad_input ? exit_bad_input : exit_failed);
+                    error.kind() == mikromakro::Error::Kind::run_failed ? exit_failed : exit_bad_input);
   } catch (const std::exception& error) {
     return complain(error.what(), exit_failed);
   }

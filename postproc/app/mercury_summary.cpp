@@ -26,8 +26,9 @@ struct MercurySummary {
   void add_particles(const MercuryBlock& block) {
     box = block.header.box;
     counts_by_type.clear();
-    for (const Particle& particle : mercury_particles(block)) {
-      ++counts_by_type[particle.type];
+    ColumnSet given = 0;
+    for (const Particle& particle : mercury_particles(block, 0, given)) {
+      if (particle.type > 0) ++counts_by_type[particle.type];
       smallest_radius = std::min(smallest_radius, particle.radius);
       largest_radius = std::max(largest_radius, particle.radius);
     }
@@ -35,13 +36,15 @@ struct MercurySummary {
 };
 
 template <typename Reader>
-MercurySummary summarise(const std::string& file) {
+MercurySummary summarise(const std::string& file, Notes& notes) {
   MercurySummary summary;
   summary.of_particles = std::is_same_v<Reader, MercuryDataReader>;
   Reader reader(file);
   MercuryHeader header;
   while (reader.next_header(header)) {
-    const MercuryBlock block = reader.take_rows(header);
+    const auto taken = reader.take_rows(header);
+    if (!taken) break;
+    const MercuryBlock& block = *taken;
     if (summary.frames++ == 0) summary.first_time = header.time;
     summary.last_time = header.time;
     const std::int64_t rows = std::count(block.text.begin(), block.text.end(), '\n');
@@ -49,12 +52,13 @@ MercurySummary summarise(const std::string& file) {
     summary.most_rows = std::max(summary.most_rows, rows);
     if (summary.of_particles) summary.add_particles(block);
   }
+  if (reader.cut()) notes.add(file + ": the compressed file is cut: only its complete frames count");
   return summary;
 }
 
-MercurySummary summary_of(const std::string& file) {
-  return MercuryDataReader::recognises(file) ? summarise<MercuryDataReader>(file)
-                                             : summarise<MercuryFstatReader>(file);
+MercurySummary summary_of(const std::string& file, Notes& notes) {
+  return MercuryDataReader::recognises(file) ? summarise<MercuryDataReader>(file, notes)
+                                             : summarise<MercuryFstatReader>(file, notes);
 }
 
 }  // namespace
@@ -63,8 +67,8 @@ bool is_mercury_file(const std::string& file) {
   return MercuryDataReader::recognises(file) || MercuryFstatReader::recognises(file);
 }
 
-void print_mercury(const std::string& file) {
-  const MercurySummary summary = summary_of(file);
+void print_mercury(const std::string& file, Notes& notes) {
+  const MercurySummary summary = summary_of(file, notes);
   fmt::print("{}: {} (MercuryDPM)\n  frames   {} (times {} to {} s)\n  rows     {} to {} per frame\n", file,
              summary.of_particles ? "particles" : "contacts", summary.frames, summary.first_time,
              summary.last_time, summary.fewest_rows, summary.most_rows);
@@ -75,8 +79,8 @@ void print_mercury(const std::string& file) {
   fmt::print("  radius   {} to {} m\n", summary.smallest_radius, summary.largest_radius);
 }
 
-JsonObject mercury_json(const std::string& file) {
-  const MercurySummary summary = summary_of(file);
+JsonObject mercury_json(const std::string& file, Notes& notes) {
+  const MercurySummary summary = summary_of(file, notes);
   JsonObject json;
   json.add("file", file);
   json.add("kind", summary.of_particles ? "MercuryDPM particles" : "MercuryDPM contacts");

@@ -4,11 +4,12 @@
 #include <string>
 
 #include "io/json_object.h"
+#include "io/notes.h"
 
 namespace mikromakro {
 
 bool is_mercury_file(const std::string& file);
-void print_mercury(const std::string& file);
-JsonObject mercury_json(const std::string& file);
+void print_mercury(const std::string& file, Notes& notes);
+JsonObject mercury_json(const std::string& file, Notes& notes);
 
 }  // namespace mikromakro

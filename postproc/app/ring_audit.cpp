@@ -5,6 +5,7 @@
 
 #include "app/audits.h"
 #include "audit/contact_balance.h"
+#include "audit/normal_forces.h"
 #include "audit/ring_balance.h"
 #include "averaging/time_average.h"
 #include "io/error.h"
@@ -13,6 +14,7 @@ namespace mikromakro {
 namespace {
 
 struct RingAudit {
+  AuditUnits units;
   std::int64_t frames = 0;
   double wheel_torque = 0;
   std::vector<RingBalance> rings;
@@ -56,12 +58,15 @@ RingAudit audit(const AuditOptions& options) {
   source.contacts_needed |= column_set(ContactColumn::overlap);
   TimeAverage of_rings(0);
   TimeAverage of_whole(0);
+  NormalForces forces(options.kn);
   ContactBalance contacts({ring_centre(volumes), volumes.bulk_types, options.wheel_types});
   RingAudit result;
+  result.units = options.units;
   result.frames = read_frames(source, options.quiet, [&](const Frame& frame) {
     of_rings.add(rings->frame_sums(frame));
     of_whole.add(whole->frame_sums(frame));
     contacts.add(frame);
+    forces.add(frame);
   });
   result.wheel_torque = contacts.wheel_torque();
   result.rings = ring_balances(rings->solve(of_rings.mean()), volumes.height, options.margin);
@@ -70,25 +75,31 @@ RingAudit audit(const AuditOptions& options) {
   result.volume_inside = to_volume * volume_of(*whole, of_whole.mean());
   result.balances = {
       {"torque", torque_deviation(result.rings, result.wheel_torque),
-       "largest deviation of 2 pi r^2 h sigma_phir from the wheel's torque"},
+       std::isnan(result.wheel_torque)
+           ? "no contacts with a wheel: its discs are --wheel-types, or wall 0"
+           : "largest deviation of 2 pi r^2 h sigma_phir from the wheel's torque"},
       {"radial", radial_deviation(result.rings),
        "largest |d(r sigma_rr)/dr - sigma_phiphi| over the pressure"},
-      {"residual", contacts.force_residual(), "mean force on a disc over the mean contact force"},
+      {"residual", contacts.force_residual(),
+       std::isnan(contacts.force_residual()) ? "no contacts of averaged discs"
+                                             : "mean force on a disc over the mean contact force"},
       {"volume", std::abs(result.volume_of_rings / result.volume_inside - 1),
-       "volume of the rings' discs against that of all discs inside"}};
+       "volume of the rings' discs against that of all discs inside"},
+      law_balance(forces)};
   return result;
 }
 
 void print_text(const RingAudit& audit) {
-  fmt::print("{:>10} {:>14} {:>10} {:>16} {:>14}\n", "r/m", "torque/(N m)", "/wheel", "d(r s_rr)/dr/Pa",
-             "s_phiphi/Pa");
+  fmt::print("{:>10} {:>14} {:>10} {:>16} {:>14}\n", "r/m", "torque/(N m)", "/wheel",
+             "d(r s_rr)/dr/" + audit.units.stress, "s_phiphi/" + audit.units.stress);
   for (const RingBalance& ring : audit.rings) {
-    fmt::print("{:>10.6g} {:>14.6g} {:>10.4f} {:>16.6g} {:>14.6g}{}\n", ring.r, ring.torque,
-               ring.torque / audit.wheel_torque, ring.slope, ring.sigma_phiphi,
+    fmt::print("{:>10.6g} {} {} {} {}{}\n", ring.r, number_or_dash(ring.torque, 14, "{:.6g}"),
+               number_or_dash(ring.torque / audit.wheel_torque, 10, "{:.4f}"),
+               number_or_dash(ring.slope, 16, "{:.6g}"), number_or_dash(ring.sigma_phiphi, 14, "{:.6g}"),
                ring.counts ? "" : "  at a wall");
   }
-  fmt::print("{} frames; torque of the discs on the wheel {:.6g} N m; volume of discs {:.6g} m^3\n",
-             audit.frames, audit.wheel_torque, audit.volume_inside);
+  fmt::print("{} frames; torque of the discs on the wheel {} N m; volume of discs {:.6g} {}\n", audit.frames,
+             number_or_dash(audit.wheel_torque, 1, "{:.6g}"), audit.volume_inside, audit.units.volume);
   print_balances(audit.balances);
 }
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "averaging/periodic_images.h"
 #include "io/error.h"
 
 namespace mikromakro {
@@ -39,6 +41,31 @@ Eigen::Vector2d contact_point(const Frame& frame, const Contact& contact, bool f
   return self.position + arm * (first ? 1 : -1) * contact.normal;
 }
 
+// Of a length that was given beside that of the box, which LIGGGHTS writes with six digits.
+constexpr double digits_of_dumps = 1e-5;
+
+// A contact of averaged discs whose ends are not at the same place, but at images of it.
+void count_crossings(const Frame& frame, const Contact& contact, const std::vector<int>& bulk_types,
+                     BoxLoad& load) {
+  if (contact.with_wall() || !is_bulk(disc(frame, contact.index1), bulk_types) ||
+      !is_bulk(disc(frame, contact.index2), bulk_types))
+    return;
+  const Eigen::Vector2d apart = contact_point(frame, contact, true) - contact_point(frame, contact, false);
+  for (const std::size_t axis : {0U, 1U}) {
+    const auto index = static_cast<Eigen::Index>(axis);
+    if (frame.box.periodic[axis] && std::abs(apart[index]) > 0.5 * frame.box.length()[index])
+      ++load.crossings[axis];
+  }
+}
+
+void check_period(const Rectangle& box, const Box& frame_box, Eigen::Index axis) {
+  const double period = frame_box.length()[axis];
+  if (std::abs(box.size()[axis] - period) <= digits_of_dumps * period) return;
+  throw bad_input({"--box"}, "forces cross the boundary, so that the whole of it is balanced",
+                  fmt::format("a length along {} of {} m", axis == 0 ? 'x' : 'y', period),
+                  fmt::format("{}", box.size()[axis]));
+}
+
 }  // namespace
 
 Rectangle wall_rectangle(const Frame& frame) {
@@ -51,6 +78,12 @@ Rectangle wall_rectangle(const Frame& frame) {
     ++counts[static_cast<std::size_t>(wall)];
   }
   for (std::size_t wall = 0; wall < box_walls; ++wall) {
+    const auto axis = axis_of(static_cast<int>(wall));
+    const std::size_t pair = wall / 2 * 2;
+    if (frame.box.periodic[wall / 2] && counts[pair] + counts[pair + 1] == 0) {
+      sums[wall] = (at_high_end(static_cast<int>(wall)) ? frame.box.high : frame.box.low)[axis];
+      continue;
+    }
     if (counts[wall] == 0)
       throw bad_input({"--box"}, fmt::format("step {} does not say where the walls are", frame.step),
                       "contacts with walls -1, -2, -3, -4, or --box, or --rings",
@@ -69,37 +102,51 @@ BoxLoad box_load(const Frame& frame, const Rectangle& box, const std::vector<int
   BoxLoad load;
   load.force.fill(Eigen::Vector2d::Zero());
   load.moment.setZero();
+  load.periodic = frame.box.periodic;
   const Eigen::Vector2d middle = 0.5 * (box.low + box.high);
   for (const Contact& contact : frame.contacts) {
+    count_crossings(frame, contact, bulk_types, load);
     for (const bool first : {true, false}) {
       const int self = first ? contact.index1 : contact.index2;
       const int partner = first ? contact.index2 : contact.index1;
       if (self < 0 || !is_bulk(disc(frame, self), bulk_types)) continue;
       if (partner >= 0 && is_bulk(disc(frame, partner), bulk_types)) continue;
       const Eigen::Vector2d force = (first ? 1 : -1) * contact.force;
+      ++load.boundary_contacts;
       load.moment += force * (contact_point(frame, contact, first) - middle).transpose();
       const int wall = wall_of(contact);
       if (wall < 0) continue;
       load.force[static_cast<std::size_t>(wall)] += force;
+      ++load.wall_contacts[static_cast<std::size_t>(axis_of(wall))];
       load.normal += std::abs(force[axis_of(wall)]);
       load.tangential += std::abs(force[1 - axis_of(wall)]);
     }
   }
+  if ((load.crossings[0] > 0) != (load.crossings[1] > 0))
+    check_period(box, frame.box, load.crossings[0] > 0 ? 0 : 1);
   return load;
 }
 
 double disc_area_inside(const Frame& frame, const Rectangle& box, const std::vector<int>& bulk_types) {
   double squares = 0;
+  const PeriodicImages images(frame.box, {box.low, box.high, {}});
+  std::vector<Eigen::Vector2d> places;
   for (const Particle& particle : frame.particles) {
-    const bool inside = (particle.position.array() >= box.low.array()).all() &&
-                        (particle.position.array() < box.high.array()).all();
-    if (inside && is_bulk(particle, bulk_types)) squares += particle.radius * particle.radius;
+    if (!is_bulk(particle, bulk_types)) continue;
+    images.of(particle.position, 0, places);
+    const auto inside = std::count_if(places.begin(), places.end(), [&](const Eigen::Vector2d& place) {
+      return (place.array() >= box.low.array()).all() && (place.array() < box.high.array()).all();
+    });
+    squares += static_cast<double>(inside) * particle.radius * particle.radius;
   }
   return std::numbers::pi * squares;
 }
 
 void BoxBalance::add(const Rectangle& box, double height, const Eigen::Matrix2d& volume_times_stress,
                      const BoxLoad& load) {
+  if (frames_ > 0 && load.periodic != periodic_)
+    throw bad_input({"--box"}, "the boundaries of the box change", "those of the first frame", "others");
+  periodic_ = load.periodic;
   ++frames_;
   low_ += box.low;
   high_ += box.high;
@@ -110,6 +157,11 @@ void BoxBalance::add(const Rectangle& box, double height, const Eigen::Matrix2d&
   for (std::size_t wall = 0; wall < box_walls; ++wall) force_[wall] += load.force[wall];
   normal_ += load.normal;
   tangential_ += load.tangential;
+  boundary_contacts_ += load.boundary_contacts;
+  for (const std::size_t axis : {0U, 1U}) {
+    wall_contacts_[axis] += load.wall_contacts[axis];
+    crossings_[axis] += load.crossings[axis];
+  }
 }
 
 Rectangle BoxBalance::box() const {
@@ -129,13 +181,34 @@ double BoxBalance::pressure() const {
   return std::abs(0.5 * volume_stress().trace());
 }
 
+Eigen::Matrix2d BoxBalance::boundary_stress() const {
+  Eigen::Matrix2d stress = boundary_ / volume_;
+  for (const int axis : {0, 1})
+    if (is_open(axis)) stress.col(axis).setConstant(std::numeric_limits<double>::quiet_NaN());
+  return stress;
+}
+
+bool BoxBalance::is_open(int axis) const {
+  const auto index = static_cast<std::size_t>(axis);
+  return crossings_[index] > 0 || (periodic_[index] && !has_boundary());
+}
+
+bool BoxBalance::may_have_wall(int number) const {
+  const auto axis = static_cast<std::size_t>(axis_of(number));
+  return !periodic_[axis] || wall_contacts_[axis] > 0;
+}
+
 double BoxBalance::stress_deviation() const {
-  return (volume_stress() - boundary_stress()).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / pressure();
+  Eigen::Matrix2d difference = volume_stress() - boundary_stress();
+  for (const int axis : {0, 1})
+    if (is_open(axis)) difference.col(axis).setZero();
+  return difference.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / pressure();
 }
 
 double BoxBalance::wall_deviation() const {
   double largest = 0;
   for (int number = 0; number < box_walls; ++number) {
+    if (!may_have_wall(number)) continue;
     const int axis = axis_of(number);
     largest = std::max(largest, std::abs(wall(number).stress[axis] - volume_stress()(axis, axis)));
   }
@@ -145,11 +218,14 @@ double BoxBalance::wall_deviation() const {
 double BoxBalance::wall_residual() const {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   double magnitudes = 0;
-  for (const Eigen::Vector2d& force : force_) {
-    sum += force;
-    magnitudes += force.norm();
+  int walls = 0;
+  for (int number = 0; number < box_walls; ++number) {
+    if (!may_have_wall(number)) continue;
+    sum += force_[static_cast<std::size_t>(number)];
+    magnitudes += force_[static_cast<std::size_t>(number)].norm();
+    ++walls;
   }
-  return sum.norm() / (magnitudes / box_walls);
+  return sum.norm() / (magnitudes / walls);
 }
 
 }  // namespace mikromakro

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "averaging/periodic_images.h"
 #include "fields/cross_product.h"
 
 namespace mikromakro {
@@ -32,11 +33,20 @@ bool ContactBalance::is_wheel(const Frame& frame, const Contact& contact, int pa
   return contains(options_.wheel_types, disc(frame, particle).type);
 }
 
+// The image that lies nearest to the wheel's centre along each axis: half a period to either side.
+Eigen::Vector2d ContactBalance::nearest_image(const Box& box, const Eigen::Vector2d& place) const {
+  const Eigen::Vector2d half = 0.5 * box.length();
+  std::vector<Eigen::Vector2d> images;
+  PeriodicImages(box, {options_.centre - half, options_.centre + half, {}}).of(place, 0, images);
+  return images.front();
+}
+
 double ContactBalance::torque_on_wheel(const Frame& frame, const Contact& contact, bool bulk_is_first) {
   const double side = bulk_is_first ? 1 : -1;
   const Particle& bulk = disc(frame, bulk_is_first ? contact.index1 : contact.index2);
   const double arm = bulk.radius - (contact.with_wall() ? contact.overlap : 0.5 * contact.overlap);
-  const Eigen::Vector2d point = bulk.position - options_.centre + arm * side * contact.normal;
+  const Eigen::Vector2d point =
+      nearest_image(frame.box, bulk.position) - options_.centre + arm * side * contact.normal;
   return cross(point, -side * contact.force);
 }
 

@@ -24,8 +24,8 @@ class ContactBalance {
 
   /// Torque of the bulk discs on the wheel about the centre, N m, counter-clockwise positive: sum over
   /// contacts of (r_c - centre) x (-f), with f on the bulk disc and r_c the contact point (in the middle of
-  /// the overlap). The wheel are discs of its types and the inner ring (id2 = 0). nan where no contact with
-  /// it was ever there.
+  /// the overlap, at the image of the bulk disc nearest to the centre). The wheel are discs of its types and
+  /// the inner ring (id2 = 0). nan where no contact with it was ever there.
   double wheel_torque() const;
 
   /// Mean over bulk discs with contacts of |sum of their contact forces|, over the mean |f| of their
@@ -35,6 +35,7 @@ class ContactBalance {
  private:
   bool is_bulk(const Frame& frame, int particle) const;
   bool is_wheel(const Frame& frame, const Contact& contact, int particle) const;
+  Eigen::Vector2d nearest_image(const Box& box, const Eigen::Vector2d& place) const;
   double torque_on_wheel(const Frame& frame, const Contact& contact, bool bulk_is_first);
 
   ContactBalanceOptions options_;

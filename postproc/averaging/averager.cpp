@@ -155,7 +155,7 @@ void Averager::collect(const Frame& frame, int particle, const Eigen::Vector2d& 
   disc.mass = from.mass;
   disc.velocity = scratch.basis * from.velocity;
   disc.spin = from.spin;
-  disc.contacts = static_cast<int>(ends.size());
+  disc.contacts = frame.contacts_known ? static_cast<int>(ends.size()) : Disc::unknown;
   disc.mean_radius = scratch.bulk.mean_radius;
   scratch.contacts.clear();
   for (const ContactEnd& end : ends) scratch.contacts.push_back(contact_of(frame, end, scratch));

@@ -175,8 +175,7 @@ FrameSelection Ranks::own_part(FrameSelection selection) const {
   // A stride beyond all frames selects one frame at most, and that is rank 0's.
   constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() / 4;
   if (selection.stride > most / size_ || selection.first > most) {
-    if (rank_ > 0) selection.last = -1;
-    return selection;
+    return rank_ > 0 ? FrameSelection::none() : selection;
   }
   selection.first += rank_ * selection.stride;
   selection.stride *= size_;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "averaging/periodic_images.h"
 #include "drawing/colour_bar.h"
 #include "drawing/scale_numbers.h"
 #include "io/error.h"
@@ -30,8 +31,12 @@ constexpr double largest_height = 30000;
 class Painter {
  public:
   Painter(const Frame& frame, const PictureStyle& style, const PictureScales& scales, Canvas::Kind kind)
-      : frame_(frame), style_(style), scales_(scales), letter_(style.width / 62.0) {
-    const Box window = scales.window.value_or(Box{{0, 0}, {1, 1}, {}});
+      : frame_(frame),
+        style_(style),
+        scales_(scales),
+        letter_(style.width / 62.0),
+        images_(frame.box, window_of(scales)) {
+    const Box window = window_of(scales);
     const double margin = letter_;
     const double column = style.quantity != nullptr ? 7.5 * letter_ : 0.0;
     corner_ = {margin, margin};
@@ -63,6 +68,10 @@ class Painter {
   }
 
  private:
+  static Box window_of(const PictureScales& scales) {
+    return scales.window.value_or(Box{{0, 0}, {1, 1}, {}});
+  }
+
   Pixel at(const Eigen::Vector2d& point) const {
     return {origin_.x() + scale_ * point.x(), origin_.y() - scale_ * point.y()};
   }
@@ -84,24 +93,30 @@ class Painter {
       const Colour fill = !is_bulk(particle, style_)   ? wall_grey
                           : style_.quantity == nullptr ? plain_grey
                                                        : colours(values[i]);
-      canvas_->disc(at(particle.position), scale_ * particle.radius, fill, outline, line_width);
+      images_.of(particle.position, particle.radius, places_);
+      for (const Eigen::Vector2d& place : places_)
+        canvas_->disc(at(place), scale_ * particle.radius, fill, outline, line_width);
     }
   }
 
-  // From centre to centre, or to the wall; through a periodic boundary a line on each side.
-  void contact_line(const Contact& contact, double width, const Colour& colour) {
+  // From the centre of disc 1 to that of disc 2, or of the image that it touches, or to the wall.
+  Eigen::Vector2d line_of(const Contact& contact) const {
     const Particle& first = frame_.particles[static_cast<std::size_t>(contact.index1)];
     const double reach = first.radius - (std::isnan(contact.overlap) ? 0 : contact.overlap);
-    if (contact.with_wall()) {
-      canvas_->line(at(first.position), at(first.position + reach * contact.normal), width, colour);
-      return;
-    }
+    if (contact.with_wall()) return reach * contact.normal;
     const Particle& second = frame_.particles[static_cast<std::size_t>(contact.index2)];
     const Eigen::Vector2d branch = (reach + second.radius) * contact.normal;
-    const bool across = (first.position + branch - second.position).norm() > 0.5 * branch.norm();
-    const Eigen::Vector2d end = across ? Eigen::Vector2d(first.position + branch) : second.position;
-    canvas_->line(at(first.position), at(end), width, colour);
-    if (across) canvas_->line(at(second.position), at(second.position - branch), width, colour);
+    const Eigen::Vector2d straight = second.position - first.position;
+    return (straight - branch).norm() > 0.5 * branch.norm() ? branch : straight;
+  }
+
+  // Through a periodic boundary there is an image of it on each side.
+  void contact_line(const Contact& contact, double width, const Colour& colour) {
+    const Eigen::Vector2d half = 0.5 * line_of(contact);
+    const Particle& first = frame_.particles[static_cast<std::size_t>(contact.index1)];
+    images_.of(first.position + half, half.norm() + 0.5 * width / scale_, places_);
+    for (const Eigen::Vector2d& middle : places_)
+      canvas_->line(at(middle - half), at(middle + half), width, colour);
   }
 
   void network() {
@@ -182,6 +197,8 @@ class Painter {
   const PictureStyle& style_;
   const PictureScales& scales_;
   double letter_;
+  PeriodicImages images_;
+  std::vector<Eigen::Vector2d> places_;  // memory used again
   Pixel corner_, opposite_, origin_;
   double scale_ = 1;
   std::unique_ptr<Canvas> canvas_;

@@ -39,7 +39,7 @@ struct Limits {
 
 /// What all pictures of a sequence have in common: the part of the plane, colours and widths.
 struct PictureScales {
-  std::optional<Box> window;  ///< the discs with their radii where nothing is asked for
+  std::optional<Box> window;  ///< where nothing is asked for, the discs with their radii, or the periodic box
   Limits colours;             ///< ends of the colour bar; numbers beyond get the colours of the ends
   Limits values;              ///< of the bulk discs
   double mean_force = 0;      ///< of abs(f_n) over all contacts (N)

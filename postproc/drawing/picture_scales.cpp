@@ -23,6 +23,7 @@ Limits colour_limits(std::vector<double> values, DiscQuantity quantity) {
   return {-end, end};
 }
 
+// All discs; along an axis that is periodic the box, at whose ends discs are cut and go on at the other end.
 Box window_of(const Frame& frame) {
   Limits x;
   Limits y;
@@ -32,7 +33,13 @@ Box window_of(const Frame& frame) {
       y.add(particle.position.y() + side);
     }
   }
-  return {{x.low, y.low}, {x.high, y.high}, {}};
+  Box window{{x.low, y.low}, {x.high, y.high}, {}};
+  for (const Eigen::Index axis : {0, 1}) {
+    if (!frame.box.periodic[static_cast<std::size_t>(axis)]) continue;
+    window.low[axis] = frame.box.low[axis];
+    window.high[axis] = frame.box.high[axis];
+  }
+  return window;
 }
 
 }  // namespace

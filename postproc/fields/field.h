@@ -19,8 +19,10 @@ struct Disc {
   double radius = 0;
   double mass = 0;
   Eigen::Vector2d velocity;
-  double spin = 0;         ///< omega_z, rad/s
-  int contacts = 0;        ///< number of its contacts, walls and wall discs included
+  double spin = 0;  ///< omega_z, rad/s
+  /// Number of its contacts, walls and wall discs included; `unknown` where there is no file of contacts.
+  int contacts = 0;
+  static constexpr int unknown = -1;
   double mean_radius = 0;  ///< of all averaged discs of the frame, by number
 };
 

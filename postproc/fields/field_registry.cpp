@@ -136,6 +136,19 @@ std::vector<std::string_view> default_field_names() {
   return names_of(true);
 }
 
+std::vector<std::string_view> field_names_without_contacts() {
+  std::vector<std::string_view> names;
+  for (const Entry& entry : entries) {
+    const FieldPointer field = entry.make({});
+    const auto sources = field->sources();
+    const bool without = std::all_of(sources.begin(), sources.end(), [&](std::string_view source) {
+      return std::find(names.begin(), names.end(), source) != names.end();
+    });
+    if (without && !field->needs_contacts()) names.push_back(field->name());
+  }
+  return names;
+}
+
 FieldList make_fields(const std::vector<std::string>& names, const FieldOptions& options) {
   check_names(names);
   const bool all = contains(names, "all");

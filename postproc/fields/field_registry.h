@@ -28,6 +28,8 @@ using FieldList = std::vector<ListedField>;
 /// Names in the order of the output's columns: first those that are averaged when no names are given.
 const std::vector<std::string_view>& field_names();
 std::vector<std::string_view> default_field_names();
+/// Those for which discs are enough.
+std::vector<std::string_view> field_names_without_contacts();
 
 /// The named fields, in the order of the output, with the sources that they need; the default ones for an
 /// empty list, each that the options allow for "all". Throws on an unknown name, and on a field that needs an

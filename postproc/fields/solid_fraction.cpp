@@ -1,5 +1,7 @@
 #include "fields/solid_fraction.h"
 
+#include <cmath>
+
 namespace mikromakro {
 
 std::vector<Column> SolidFraction::columns(const Axes& /*axes*/) const {
@@ -10,8 +12,12 @@ std::vector<Column> SolidFraction::columns(const Axes& /*axes*/) const {
 }
 
 void SolidFraction::add_disc(const Disc& disc, std::span<double> quantity) const {
-  for (int least = 0; least < sums(); ++least)
-    if (disc.contacts >= least) quantity[static_cast<std::size_t>(least)] += disc.volume;
+  quantity[0] += disc.volume;
+  for (int least = 1; least < sums(); ++least) {
+    double& sum = quantity[static_cast<std::size_t>(least)];
+    if (disc.contacts == Disc::unknown) sum = std::nan("");
+    if (disc.contacts >= least) sum += disc.volume;
+  }
 }
 
 }  // namespace mikromakro

@@ -6,12 +6,12 @@
 
 namespace mikromakro {
 
-/// nu = 1/V sum_p w^p V^p, dimensionless; nu_m is the same sum over the discs with m or more contacts.
+/// nu = 1/V sum_p w^p V^p, dimensionless; nu_m is the same sum over the discs with m or more contacts, nan
+/// where contacts are not known.
 class SolidFraction : public VolumeSum {
  public:
   std::string_view name() const override { return "solid_fraction"; }
   std::vector<Column> columns(const Axes& axes) const override;
-  bool needs_contacts() const override { return true; }
   int sums() const override { return 4; }
   void add_disc(const Disc& disc, std::span<double> quantity) const override;
 };

@@ -3,12 +3,13 @@
 #include <zlib.h>
 #include <zstd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <vector>
+
+#include "io/file_kind.h"
 
 namespace mikromakro {
 namespace {
@@ -19,6 +20,7 @@ struct CloseFile {
 using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
 
 OpenFile open_file(const std::string& file) {
+  check_regular(file);
   OpenFile opened(std::fopen(file.c_str(), "rb"));
   if (!opened) throw bad_input({file}, "cannot open the file", "a readable file", std::strerror(errno));
   return opened;
@@ -55,6 +57,8 @@ class GzipSource : public ByteSource {
     const int got = gzread(stream_.get(), room.data(), static_cast<unsigned>(room.size()));
     int code = Z_OK;
     const char* reason = gzerror(stream_.get(), &code);
+    cut_ = got >= 0 && code == Z_BUF_ERROR;
+    if (cut_) return static_cast<std::size_t>(got);
     if (got < 0 || (code != Z_OK && code != Z_STREAM_END)) {
       throw bad_input(place, "cannot read on", "plain text or a complete gzip file",
                       code == Z_ERRNO ? std::strerror(errno) : reason);
@@ -63,12 +67,14 @@ class GzipSource : public ByteSource {
   }
 
   std::int64_t bytes_read() const override { return gzoffset(stream_.get()); }
+  bool cut() const override { return cut_; }
 
  private:
   struct Close {
     void operator()(gzFile stream) const { gzclose(stream); }
   };
   std::unique_ptr<gzFile_s, Close> stream_;
+  bool cut_ = false;
 };
 
 class ZstdSource : public ByteSource {
@@ -79,18 +85,19 @@ class ZstdSource : public ByteSource {
   std::size_t read(std::span<char> room, const Place& place) override {
     ZSTD_outBuffer out{room.data(), room.size(), 0};
     while (out.pos == 0) {
-      if (in_.pos == in_.size && !refill()) {
-        // A frame that wants more bytes was cut.
-        if (wanted_ != 0) complain(place, "the file ends within the compressed data");
-        return 0;
-      }
+      const bool more = in_.pos < in_.size || refill();
+      if (!more && wanted_ == 0) return 0;
+      // At the end of a cut file what has been decompressed may still be on its way.
       wanted_ = ZSTD_decompressStream(stream_.get(), &out, &in_);
       if (ZSTD_isError(wanted_) != 0) complain(place, ZSTD_getErrorName(wanted_));
+      if (!more && out.pos == 0) return 0;
     }
     return out.pos;
   }
 
   std::int64_t bytes_read() const override { return bytes_; }
+  // A zstd frame that wants more bytes.
+  bool cut() const override { return wanted_ != 0 && in_.pos == in_.size && std::feof(file_.get()) != 0; }
 
  private:
   bool refill() {
@@ -118,15 +125,19 @@ class ZstdSource : public ByteSource {
 }  // namespace
 
 std::unique_ptr<ByteSource> open_bytes(const std::string& file) {
-  constexpr std::array<unsigned char, 2> gzip_mark = {0x1f, 0x8b};
-  constexpr std::array<unsigned char, 4> zstd_mark = {0x28, 0xb5, 0x2f, 0xfd};
   OpenFile opened = open_file(file);
-  std::array<unsigned char, 4> begin = {};
+  std::array<char, 64> begin = {};
   const std::size_t got = std::fread(begin.data(), 1, begin.size(), opened.get());
   std::rewind(opened.get());
-  if (got == begin.size() && begin == zstd_mark) return std::make_unique<ZstdSource>(std::move(opened));
-  if (got >= gzip_mark.size() && std::equal(gzip_mark.begin(), gzip_mark.end(), begin.begin()))
-    return std::make_unique<GzipSource>(file);
+  switch (packing_of({begin.data(), got})) {
+    case Packing::gzip:
+      return std::make_unique<GzipSource>(file);
+    case Packing::zstd:
+      return std::make_unique<ZstdSource>(std::move(opened));
+    case Packing::none:
+      break;
+  }
+  check_kind({begin.data(), got}, file);
   return std::make_unique<PlainSource>(std::move(opened));
 }
 

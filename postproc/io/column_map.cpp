@@ -24,13 +24,12 @@ int slot_of(std::string_view name, const ColumnNames& names) {
   return found == names.known.end() ? -1 : static_cast<int>(found - names.known.begin());
 }
 
-void append(ColumnMap& map, int slot, std::string_view name, const Place& place) {
-  if (slot >= 0) {
-    const ColumnSet bit = ColumnSet{1} << static_cast<unsigned>(slot);
-    if ((map.given & bit) != 0)
-      throw bad_input(place, "column named twice", "each name once", in_quotes(name));
-    map.given |= bit;
-  }
+ColumnSet bit_of(int slot) {
+  return slot < 0 ? 0 : ColumnSet{1} << static_cast<unsigned>(slot);
+}
+
+void append(ColumnMap& map, int slot) {
+  map.given |= bit_of(slot);
   map.slot_of_column.push_back(slot);
 }
 
@@ -52,14 +51,22 @@ const ColumnNames& wall_contact_names() {
 }
 
 ColumnMap map_header(const std::vector<std::string>& header, const ColumnNames& names, const Place& place) {
+  if (header.empty())
+    throw bad_input(place, "no column names", fmt::format("names after the label, or {}", names.option),
+                    "none");
   ColumnMap map;
-  for (const std::string& name : header) append(map, slot_of(name, names), name, place);
+  for (std::size_t column = 0; column < header.size(); ++column) {
+    const int slot = slot_of(header[column], names);
+    const bool again = (map.given & bit_of(slot)) != 0;
+    if (again) map.repeats.push_back({column, slot});
+    append(map, again ? -1 : slot);
+  }
   return map;
 }
 
 ColumnMap map_option(const std::vector<std::string>& list, std::size_t columns, const ColumnNames& names,
                      const Place& place) {
-  if (list.size() != columns) {
+  if (columns > 0 && list.size() != columns) {
     throw bad_input(place, fmt::format("{} does not fit the file", names.option),
                     fmt::format("{} names", columns),
                     list.size() == 1 ? "1 name" : fmt::format("{} names", list.size()));
@@ -74,7 +81,9 @@ ColumnMap map_option(const std::vector<std::string>& list, std::size_t columns, 
                       fmt::format("one of {} or -", fmt::join(names.known, " ")),
                       in_quotes_with_guess(name, names.known));
     }
-    append(map, slot, name, {names.option});
+    if ((map.given & bit_of(slot)) != 0)
+      throw bad_input({names.option}, "column named twice", "each name once", in_quotes(name));
+    append(map, slot);
   }
   return map;
 }
@@ -82,7 +91,8 @@ ColumnMap map_option(const std::vector<std::string>& list, std::size_t columns, 
 void keep_columns(ColumnMap& map, ColumnSet columns) {
   map.given &= columns;
   for (int& slot : map.slot_of_column)
-    if (slot >= 0 && (columns >> static_cast<unsigned>(slot) & 1U) == 0) slot = -1;
+    if ((bit_of(slot) & ~columns) != 0) slot = -1;
+  std::erase_if(map.repeats, [&](const auto& repeat) { return (bit_of(repeat.slot) & columns) == 0; });
 }
 
 void require_columns(const ColumnMap& map, ColumnSet needed, const ColumnNames& names, const Place& place) {

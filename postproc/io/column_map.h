@@ -56,8 +56,9 @@ inline constexpr std::string_view contact_column_names[] = {
     "fy",  "fn",  "ft", "xi", "vn", "vt", "periodic", "dist", "shearx",  "sheary"};
 /// And those that are not kept.
 inline constexpr std::string_view contact_read_names[] = {
-    "id1", "id2",      "x1",   "y1",     "x2",     "y2", "nx", "ny", "overlap", "fx",   "fy",      "fn", "ft", "xi", "vn",
-    "vt",  "periodic", "dist", "shearx", "sheary", "z1", "z2", "fz", "shearz",  "ftx", "fty", "ftz", "mesh"};
+    "id1", "id2", "x1", "y1",     "x2",  "y2",  "nx",       "ny",   "overlap", "fx",
+    "fy",  "fn",  "ft", "xi",     "vn",  "vt",  "periodic", "dist", "shearx",  "sheary",
+    "z1",  "z2",  "fz", "shearz", "ftx", "fty", "ftz",      "mesh"};
 /// Number of columns of `compute contact/disc`, the first ones of the list above.
 inline constexpr int contact_disc_columns = 16;
 
@@ -75,8 +76,15 @@ constexpr ColumnSet column_set(Columns... columns) {
 /// For each column of the file the slot (index of the quantity) that it fills, -1 for a column that nobody
 /// asks for.
 struct ColumnMap {
+  /// A column that stands in the file again: it must hold the number that is in the slot already.
+  struct Repeat {
+    std::size_t column;
+    int slot;
+  };
+
   std::vector<int> slot_of_column;
   ColumnSet given = 0;
+  std::vector<Repeat> repeats = {};
 };
 
 /// What a kind of dump may contain.
@@ -89,12 +97,12 @@ const ColumnNames& particle_names();
 const ColumnNames& contact_names();
 const ColumnNames& wall_contact_names();
 
-/// Map from the names in the file's header; names that we do not know are skipped. Throws when one is there
-/// twice.
+/// Map from the names in the file's header; names that we do not know are skipped. One that is there twice
+/// (LIGGGHTS writes what it is told) is a repeat. Throws where there are no names.
 ColumnMap map_header(const std::vector<std::string>& header, const ColumnNames& names, const Place& place);
 
 /// Map from the user's list, '-' for a column to skip. Throws when the list has another length than the
-/// header or a name that is unknown or there twice.
+/// header (unless that names no columns: rows will be counted) or a name that is unknown or there twice.
 ColumnMap map_option(const std::vector<std::string>& list, std::size_t columns, const ColumnNames& names,
                      const Place& place);
 

@@ -23,7 +23,8 @@ Eigen::Vector2d ordered_normal(const Contact& contact) {
   return contact.id1 < contact.id2 ? contact.normal : Eigen::Vector2d(-contact.normal);
 }
 
-// Whether a disc touches itself or a pair is there twice, in one pass over a table of hashes.
+// Whether a disc touches itself (by both of its images, perhaps) or a pair is there twice, in one pass over a
+// table of hashes.
 bool all_pairs_differ(const std::vector<Contact>& contacts) {
   const std::size_t places = std::bit_ceil(4 * contacts.size() + 1);
   std::vector<int> table(places, -1);
@@ -54,9 +55,6 @@ void check_pairs(const std::vector<Contact>& contacts, const std::vector<std::si
                    [&](std::size_t a, std::size_t b) { return pair_of(contacts[a]) < pair_of(contacts[b]); });
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Contact& contact = contacts[order[i]];
-    if (contact.id1 == contact.id2 && !periodic)
-      throw bad_input(rows.place(row_of[order[i]]), "a disc in contact with itself", "two ids",
-                      fmt::format("twice {}", contact.id1));
     for (std::size_t j = i; j-- > 0 && pair_of(contacts[order[j]]) == pair_of(contact);) {
       const bool may_be_twice = periodic || contact.id2 <= static_cast<std::int64_t>(first_mesh);
       const bool other_image =

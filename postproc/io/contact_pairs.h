@@ -8,9 +8,8 @@
 
 namespace mikromakro {
 
-/// Throws: a disc in contact with itself (unless through a periodic boundary), a pair listed twice (unless
-/// through different periodic images; a disc may touch a mesh at several sides). Contact k is that of row
-/// row_of[k].
+/// Throws: a pair listed twice (unless through different periodic images; a disc may touch a mesh at several
+/// sides). Contact k is that of row row_of[k].
 void check_pairs(const std::vector<Contact>& contacts, const std::vector<std::size_t>& row_of,
                  const ContactRows& rows, const Box& box);
 

@@ -43,8 +43,9 @@ Names columns_of_liggghts(std::size_t count, bool walls, const Place& place) {
                          joined({&x, &velocities, &id, &force, &torque, &history, &area})};
   for (const Names& names : every)
     if (names.size() == count) return names;
-  throw bad_input(place, fmt::format("no {} of LIGGGHTS that we know (name the columns one by one)",
-                                     walls ? "compute wall/gran/local" : "compute pair/gran/local"),
+  throw bad_input(place,
+                  fmt::format("no {} of LIGGGHTS that we know (name the columns one by one)",
+                              walls ? "compute wall/gran/local" : "compute pair/gran/local"),
                   "6, 12, 13, 15, 16, 22 or 25 columns", fmt::format("{}", count));
 }
 
@@ -84,8 +85,7 @@ Names expand_preset(const Names& list, const DumpHeader& header, bool walls, con
 }
 
 bool is_without_tangential_forces(const Names& list, const DumpHeader& header) {
-  return is_preset(list, lammps) &&
-         header.columns.size() - counted_rows(header) < long_row + tangential;
+  return is_preset(list, lammps) && header.columns.size() - counted_rows(header) < long_row + tangential;
 }
 
 }  // namespace mikromakro

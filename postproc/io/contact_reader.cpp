@@ -50,13 +50,32 @@ ColumnMap map_contacts(const DumpHeader& header, const ContactFormat& format, co
   const bool unnamed = format.list.empty() &&
                        std::find(header.columns.begin(), header.columns.end(), "id1") == header.columns.end();
   static const std::vector<std::string> preset = {"liggghts"};
-  const auto list = expand_preset(unnamed && format.walls ? preset : format.list, header, format.walls, place);
+  const auto list =
+      expand_preset(unnamed && format.walls ? preset : format.list, header, format.walls, place);
   if (!list.empty()) return map_option(list, header.columns.size(), names, place);
   if (format.walls || !is_our_compute(header.columns)) return map_header(header.columns, names, place);
   ColumnMap map;
   for (int slot = 0; slot < contact_disc_columns; ++slot) map.slot_of_column.push_back(slot);
   map.given = (ColumnSet{1} << static_cast<unsigned>(contact_disc_columns)) - 1;
   return map;
+}
+
+// Columns that tell nothing without others.
+struct Group {
+  ColumnSet any, all;
+};
+constexpr Group groups[] = {{normal_columns, normal_columns},
+                            {place_columns, place_columns},
+                            {column_set(z1, z2), column_set(z1, z2) | place_columns},
+                            {column_set(fz), column_set(fx, fy)},
+                            {column_set(shearx, sheary, shearz), column_set(shearx, sheary)},
+                            {column_set(ftx, fty, ftz), column_set(ftx, fty, fx, fy)}};
+
+void check_columns(const ColumnMap& map, const ColumnNames& names, const Place& place) {
+  for (const Group& group : groups)
+    if ((map.given & group.any) != 0) require_columns(map, group.all, names, place);
+  if (contains(map.given, column_set(xi, shearx)))
+    throw bad_input(place, "the spring is there twice", "xi, or shearx and sheary", "both");
 }
 
 // What was only guessed to be our columns needs the way out in its message.
@@ -91,9 +110,11 @@ class RowReader {
     const ColumnNames& names = walls_ ? wall_contact_names() : contact_names();
     if (!walls_ && (map_.given & wall_name_columns) != 0)
       throw bad_input({names.option}, "meshes are walls", "their dump as --wall-contacts", "mesh");
+    check_columns(map_, names, place);
     require_columns(map_, required_contact_columns(needed, map_.given), names, place);
     wall_map_ = map_;
-    const ColumnSet wanted = wanted_contact_columns(needed, map_.given);
+    // In text fn and ft cost little, and tell a force that has been changed.
+    const ColumnSet wanted = wanted_contact_columns(needed, map_.given) | (map_.given & column_set(fn, ft));
     keep_columns(map_, wanted);
     keep_columns(wall_map_, wanted | place_columns);
     if (walls_) map_ = wall_map_;
@@ -102,7 +123,7 @@ class RowReader {
 
   ColumnSet given() const { return map_.given & kept_columns; }
 
-  ContactRow read(std::string_view line, const Place& place) {
+  void read(std::string_view line, ContactRow& row, const Place& place) {
     parse_row(line, map_, row_, place);
     // Rows of walls are few, and their places tell where the wall is.
     if (at(row_, id2) <= 0 && map_.given != wall_map_.given) parse_row(line, wall_map_, row_, place);
@@ -112,9 +133,7 @@ class RowReader {
       at(row_, fy) += at(row_, fty);
     }
     if (walls_) name_wall(place);
-    ContactRow row;
     std::copy_n(row_.begin(), row.value.size(), row.value.begin());
-    return row;
   }
 
  private:
@@ -145,10 +164,10 @@ void check_contact_row(const ContactRow& row, ColumnSet given, bool guessed, con
   if ((normal_columns & ~given) != 0) return;
   const double x = row[nx];
   const double y = row[ny];
-  const double length = std::sqrt(x * x + y * y);
-  if (!(std::abs(length - 1) <= unit_tolerance)) {
+  const double square = x * x + y * y;
+  if (!(std::abs(square - 1) <= 2 * unit_tolerance)) {
     throw bad_input(place, with_hint("the normal is no unit vector", guessed), "length 1 within 1e-5",
-                    fmt::format("{}", length));
+                    fmt::format("{}", std::sqrt(square)));
   }
 }
 
@@ -159,11 +178,12 @@ ColumnSet required_contact_columns(ColumnSet needed, ColumnSet given) {
 
 ColumnSet wanted_contact_columns(ColumnSet needed, ColumnSet given) {
   if (needed == 0) return given;
-  const ColumnSet derive_from = (derivable_columns & ~given) != 0 ? place_columns | column_set(periodic) : 0;
-  constexpr ColumnSet force = column_set(fx, fy, fn, ft) | tangential_columns;
+  const ColumnSet derive_from = (derivable_columns & ~given) != 0 ? place_columns : 0;
+  const ColumnSet force =
+      contains(given, column_set(fx, fy)) ? column_set(fx, fy) | tangential_columns : column_set(fn, ft);
   // Fields take springs where there are any, without needing them; forces tell contacts from near pairs.
   return given & (needed | derivable_columns | derive_from | force | spring_columns | across_columns |
-                  wall_name_columns | column_set(id1, id2, dist));
+                  wall_name_columns | column_set(id1, id2, dist, periodic));
 }
 
 ContactRows read_contacts(const RowBlock& block, const ContactFormat& format, ColumnSet needed) {
@@ -180,10 +200,12 @@ ContactRows read_contacts(const RowBlock& block, const ContactFormat& format, Co
   contacts.first_line = header.line + 1;
   contacts.rows.reserve(static_cast<std::size_t>(header.rows));
   const bool guessed = format.list.empty() && is_our_compute(header.columns);
+  ContactRow row;
   for (std::string_view rest = block.text; !rest.empty();) {
     ++place.line;
-    contacts.rows.push_back(reader.read(next_line(rest), place));
-    check_contact_row(contacts.rows.back(), contacts.given, guessed, place);
+    reader.read(next_line(rest), row, place);
+    contacts.rows.push_back(row);
+    check_contact_row(row, contacts.given, guessed, place);
   }
   return contacts;
 }
@@ -193,6 +215,7 @@ void add_wall_contacts(ContactRows walls, ContactRows& contacts) {
   contacts.wall_file = std::move(walls.file);
   contacts.first_wall_line = walls.first_line;
   contacts.walls_given = walls.given;
+  contacts.wall_pieces = std::move(walls.pieces);
   contacts.rows.insert(contacts.rows.end(), walls.rows.begin(), walls.rows.end());
 }
 

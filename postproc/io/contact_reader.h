@@ -7,6 +7,7 @@
 
 #include "io/column_map.h"
 #include "io/dump_reader.h"
+#include "io/further_piece.h"
 
 namespace mikromakro {
 
@@ -27,8 +28,10 @@ struct ContactRows {
   std::string file;
   std::int64_t first_line = 0;
   std::vector<std::int64_t> lines = {};
+  std::vector<FurtherPiece> pieces = {};  ///< of the discs; without lines
   std::string wall_file = {};
   std::int64_t first_wall_line = 0;
+  std::vector<FurtherPiece> wall_pieces = {};  ///< counted from the first row of walls
   std::size_t pairs = 0;
   ColumnSet walls_given = 0;
 
@@ -36,10 +39,20 @@ struct ContactRows {
   ColumnSet given_in(std::size_t row) const { return of_wall_file(row) ? walls_given : given; }
   /// What all rows have.
   ColumnSet given_in_all() const { return wall_file.empty() ? given : given & walls_given; }
+  /// Adds the rows of a further piece of the frame.
+  void append(const ContactRows& piece) {
+    pieces.push_back({rows.size(), piece.file, piece.first_line});
+    rows.insert(rows.end(), piece.rows.begin(), piece.rows.end());
+    given &= piece.given;
+  }
+
   Place place(std::size_t row) const {
-    if (of_wall_file(row))
-      return {wall_file, first_wall_line + static_cast<std::int64_t>(row - pairs)};
-    return {file, lines.empty() ? first_line + static_cast<std::int64_t>(row) : lines[row]};
+    if (of_wall_file(row)) {
+      const std::size_t wall = row - pairs;
+      return place_of_row(wall, {wall_file, first_wall_line + static_cast<std::int64_t>(wall)}, wall_pieces);
+    }
+    const std::int64_t line = lines.empty() ? first_line + static_cast<std::int64_t>(row) : lines[row];
+    return place_of_row(row, {file, line}, pieces);
   }
 };
 

@@ -10,7 +10,6 @@ namespace {
 
 using enum ContactColumn;
 
-constexpr double largest_part_of_radius = 0.05;
 // Sums and differences of coordinates, and lengths of the box that are added to them.
 constexpr double arithmetic = 1e-14;
 // Normals must have length 1 within this, and radii are inputs, often short ones.
@@ -50,16 +49,6 @@ ContactTolerance::ContactTolerance(const ContactRows& rows, const std::vector<Pa
   overlap_ = overlaps.rounding(1);
   disc_place_ += arithmetic * size;
   distance_ = 3 * disc_place_ + 2 * std::min(radii.rounding(radius), six_digits * radius);
-}
-
-double ContactTolerance::of_place(double radius) const {
-  return std::min(disc_place_ + row_place_, largest_part_of_radius * radius);
-}
-
-double ContactTolerance::of_geometry(double smaller_radius, double reach, double told, bool by_row) const {
-  const double rounding = distance_ + (by_row ? 3 * row_place_ : 0) + normal_ * reach +
-                          (std::isnan(told) ? 0 : overlap_ * std::abs(told));
-  return std::min(rounding, largest_part_of_radius * smaller_radius);
 }
 
 }  // namespace mikromakro

@@ -39,14 +39,15 @@ std::string one_line(std::string_view text, std::size_t longest) {
 Error bad_input(const Place& place, std::string_view what, std::string_view expected, std::string_view got) {
   const std::string file = one_line(place.file, longest_name);
   const std::string where = place.line > 0 ? fmt::format("{}:{}", file, place.line) : file;
-  return {Error::Kind::bad_input, fmt::format("{}: {}; expected {}, got {}", where, one_line(what, longest_part),
-                                              one_line(expected, longest_part), one_line(got, longest_part))};
+  return {Error::Kind::bad_input,
+          fmt::format("{}: {}; expected {}, got {}", where, one_line(what, longest_part),
+                      one_line(expected, longest_part), one_line(got, longest_part))};
 }
 
 Error run_failed(std::string_view what, std::string_view expected, std::string_view got) {
   return {Error::Kind::run_failed,
-          fmt::format("{}; expected {}, got {}", one_line(what, longest_part), one_line(expected, longest_part),
-                      one_line(got, longest_part))};
+          fmt::format("{}; expected {}, got {}", one_line(what, longest_part),
+                      one_line(expected, longest_part), one_line(got, longest_part))};
 }
 
 std::string in_quotes(std::string_view text) {

@@ -16,6 +16,7 @@ struct Box {
   Eigen::Vector2d low = Eigen::Vector2d::Zero();
   Eigen::Vector2d high = Eigen::Vector2d::Zero();
   std::array<bool, 2> periodic = {false, false};
+  bool boundaries_known = true;  ///< false: the file does not say which boundaries are periodic
 
   Eigen::Vector2d length() const { return high - low; }
 };
@@ -53,6 +54,7 @@ struct Frame {
   Box box;
   std::vector<Particle> particles;
   std::vector<Contact> contacts;
+  bool contacts_known = true;  ///< false: no file of contacts, so that discs may have some all the same
 };
 
 }  // namespace mikromakro

@@ -9,6 +9,7 @@
 #include "io/column_map.h"
 #include "io/contact_reader.h"
 #include "io/frame.h"
+#include "io/units.h"
 
 namespace mikromakro {
 
@@ -20,7 +21,7 @@ struct WallState {
 };
 
 /// A frame before its contacts are joined to its particles. For messages: particle i stands in line
-/// first_particle_line + i of particle_file.
+/// first_particle_line + i of particle_file, or in a further piece.
 struct RawFrame {
   std::int64_t step = 0;
   Box box;
@@ -28,11 +29,18 @@ struct RawFrame {
   ColumnSet particles_given = 0;
   std::string particle_file;
   std::int64_t first_particle_line = 0;
+  std::vector<FurtherPiece> further_pieces = {};
   bool with_contacts = false;
   ContactRows contacts;
   double place_error = not_given;  ///< what coordinates of discs have lost (m); nan: as their digits say
-  double time = not_given;  ///< s
+  double time = not_given;         ///< s
+  Units units = {};                ///< in which all of it stands until it is joined
   std::vector<WallState> walls;
+
+  Place place_of_particle(std::size_t i) const {
+    return place_of_row(i, {particle_file, first_particle_line + static_cast<std::int64_t>(i)},
+                        further_pieces);
+  }
 };
 
 /// Makes a frame of bytes that were taken out of the files before; reads no file and shares nothing that

@@ -7,7 +7,8 @@
 
 namespace mikromakro {
 
-/// Frames FIRST:LAST[:STEP] by index (from 0, both ends included) and A:B by time step (both ends included).
+/// Frames FIRST:LAST[:STEP] by index (from 0, both ends included; below 0 from the end, -1 is the last one)
+/// and A:B by time step (both ends included).
 struct FrameSelection {
   std::int64_t first = 0;
   std::int64_t last = std::numeric_limits<std::int64_t>::max();
@@ -19,12 +20,18 @@ struct FrameSelection {
     return index >= first && index <= last && (index - first) % stride == 0 && step >= first_step &&
            step <= last_step;
   }
+  /// Whether the number of frames must be known before frames can be selected.
+  bool counts_from_the_end() const { return first < 0 || last < 0; }
+  static FrameSelection none();
+  /// The same among `frames` frames, counted from the beginning.
+  FrameSelection among(std::int64_t frames) const;
+
   /// No later frame can be selected.
   bool over_after(std::int64_t index, std::int64_t step) const { return index >= last || step >= last_step; }
 };
 
 /// Sets the part of the selection that --frames or --steps gives; an end that is left out (`5:`, `:9`) is
-/// open. Throws on anything else and on an empty range.
+/// open, and a number alone is one frame or step. Throws on anything else and on an empty range.
 void select_frames(const std::string& text, FrameSelection& selection);
 void select_steps(const std::string& text, FrameSelection& selection);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "io/id_map.h"
@@ -15,7 +16,7 @@ namespace {
 void check_ids(const IdMap& ids, const RawFrame& raw) {
   const int twice = ids.duplicate();
   if (twice < 0) return;
-  throw bad_input({raw.particle_file, raw.first_particle_line + twice}, "two particles of one id",
+  throw bad_input(raw.place_of_particle(static_cast<std::size_t>(twice)), "two particles of one id",
                   "each id once per frame",
                   fmt::format("{} again", raw.particles[static_cast<std::size_t>(twice)].id));
 }
@@ -26,9 +27,35 @@ void set_masses(RawFrame& raw, double density) {
   if ((raw.particles_given & mass) != 0)
     throw bad_input({raw.particle_file, raw.first_particle_line - 1}, "the file gives masses",
                     "no --density beside them", "both");
+  const double in_units = density * raw.units.length * raw.units.length / raw.units.mass;
   for (Particle& particle : raw.particles)
-    particle.mass = density * std::numbers::pi * particle.radius * particle.radius;
+    particle.mass = in_units * std::numbers::pi * particle.radius * particle.radius;
   raw.particles_given |= mass;
+}
+
+// A wall takes a little of a disc, a periodic boundary cuts it.
+bool reaches_out(const Particle& disc, const Box& box) {
+  constexpr double into_walls = 0.1;
+  const double reach = (1 - into_walls) * disc.radius;
+  return ((disc.position.array() - reach < box.low.array()) ||
+          (disc.position.array() + reach > box.high.array()))
+      .any();
+}
+
+void note_boundaries(const RawFrame& raw, Notes* notes) {
+  if (raw.box.boundaries_known || notes == nullptr) return;
+  const auto out = std::count_if(raw.particles.begin(), raw.particles.end(),
+                                 [&](const Particle& disc) { return reaches_out(disc, raw.box); });
+  if (out > 0)
+    notes->add("the files do not say whether the box is periodic: discs that reach out of it have no images",
+               raw.step, out);
+}
+
+void complete(RawFrame& raw, double density, bool contacts_required) {
+  if (contacts_required && !raw.with_contacts)
+    throw bad_input({raw.particle_file}, "the file holds no contacts",
+                    "contacts, or --fields of those that need none", "none");
+  set_masses(raw, density);
 }
 
 std::unique_ptr<FrameFormat> open_run(const Run& run, const ColumnWishes& wishes) {
@@ -56,17 +83,21 @@ void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   check_ids(ids, raw);
   frame.step = raw.step;
   frame.box = raw.box;
+  frame.contacts_known = raw.with_contacts;
   frame.contacts.clear();
   rules.step = raw.step;
+  note_boundaries(raw, rules.notes);
   if (raw.with_contacts)
     frame.contacts = join_contacts(raw.contacts, {raw.particles, ids, raw.box, raw.place_error}, rules);
   // The rows are read anew for the next frame.
   frame.particles.swap(raw.particles);
+  convert(raw.units, raw, frame);
 }
 
 ColumnWishes FrameSource::wishes() const {
   const ColumnSet mass = density > 0 ? column_set(ParticleColumn::mass) : 0;
-  return {particle_columns, contact_columns, particles_needed & ~mass, contacts_needed, notes, wall_columns};
+  return {particle_columns, contact_columns, particles_needed & ~mass, contacts_needed, notes, selection,
+          look_through,     wall_columns};
 }
 
 std::vector<Run> FrameSource::runs() const {
@@ -83,9 +114,20 @@ std::vector<std::string> FrameSource::files() const {
   return all;
 }
 
+FrameSelection FrameSource::settled_selection() const {
+  if (!selection.counts_from_the_end()) return selection;
+  const auto format = format_of(*this);
+  std::int64_t index = 0;
+  std::int64_t frames = 0;
+  for (std::int64_t step = 0; format->next(step); ++index)
+    if (format->take()) frames = index + 1;
+  return selection.among(frames);
+}
+
 FrameStream::FrameStream(const FrameSource& source)
-    : selection_(source.selection),
+    : selection_(source.settled_selection()),
       density_(source.density),
+      contacts_required_(source.contacts_required),
       distant_contacts_(source.distant_contacts),
       notes_(source.notes),
       one_run_(source.further_runs.empty()),
@@ -97,7 +139,9 @@ UnpackFrame FrameStream::take_raw() {
     ++index_;
     // A later run begins with small steps again.
     over_ = one_run_ ? selection_.over_after(index_, step) : index_ >= selection_.last;
-    if (selection_.contains(index_, step)) return format_->take();
+    if (!selection_.contains(index_, step)) continue;
+    // Nothing where a file was cut.
+    if (UnpackFrame unpack = format_->take()) return unpack;
   }
   return {};
 }
@@ -105,8 +149,11 @@ UnpackFrame FrameStream::take_raw() {
 bool FrameStream::next(Frame& frame) {
   const UnpackFrame unpack = take_raw();
   if (!unpack) return false;
+  raw_.further_pieces.clear();
+  raw_.place_error = not_given;
+  raw_.units = {};
   unpack(raw_);
-  set_masses(raw_, density_);
+  complete(raw_, density_, contacts_required_);
   join(raw_, frame, {distant_contacts_, notes_.get()});
   frame.index = index_;
   frame.run = format_->run();
@@ -116,11 +163,11 @@ bool FrameStream::next(Frame& frame) {
 MakeFrame FrameStream::take() {
   UnpackFrame unpack = take_raw();
   if (!unpack) return {};
-  return [unpack = std::move(unpack), density = density_, index = index_, run = format_->run(),
-          distant = distant_contacts_, notes = notes_](Frame& frame) {
+  return [unpack = std::move(unpack), density = density_, required = contacts_required_, index = index_,
+          run = format_->run(), distant = distant_contacts_, notes = notes_](Frame& frame) {
     RawFrame raw;
     unpack(raw);
-    set_masses(raw, density);
+    complete(raw, density, required);
     join(raw, frame, {distant, notes.get()});
     frame.index = index;
     frame.run = run;

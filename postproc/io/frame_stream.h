@@ -35,6 +35,10 @@ struct FrameSource {
   std::vector<std::string> snapshot_files = {};  ///< none: text dumps
   std::vector<Run> further_runs = {};            ///< read after the files above, which are the first run
   double density = 0;                            ///< areal (kg/m^2), > 0: for files that give no masses
+  bool contacts_required = false;                ///< frames without contacts are an error
+  /// Files are read once more before, so that steps that come again (after a restart) can be left out;
+  /// without it they throw Error::Kind::steps_come_again.
+  bool look_through = false;
   /// What reading finds and the user must know; copies of the source share it.
   std::shared_ptr<Notes> notes = std::make_shared<Notes>();
   std::vector<std::string> wall_files = {};  ///< contacts with walls, beside those of discs
@@ -43,6 +47,8 @@ struct FrameSource {
 
   ColumnWishes wishes() const;
   std::vector<Run> runs() const;
+  /// The selection counted from the beginning, for which frames are counted where it must be.
+  FrameSelection settled_selection() const;
   /// All files there are.
   std::vector<std::string> files() const;
 };
@@ -54,8 +60,8 @@ using MakeFrame = std::function<void(Frame&)>;
 /// all that join_contacts throws.
 void join(RawFrame& raw, Frame& frame, ContactRules rules);
 
-/// Throws: masses where a density is given, too; ids that are there twice, and all that the formats and
-/// join_contacts throw.
+/// Throws: contacts that are required and not there, masses where a density is given, too; ids that are there
+/// twice, and all that the formats and join_contacts throw.
 class FrameStream {
  public:
   explicit FrameStream(const FrameSource& source);
@@ -76,6 +82,7 @@ class FrameStream {
 
   FrameSelection selection_;
   double density_;
+  bool contacts_required_;
   bool distant_contacts_;
   std::shared_ptr<Notes> notes_;
   bool one_run_;

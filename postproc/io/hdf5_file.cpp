@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "io/error.h"
+#include "io/file_kind.h"
 
 namespace mikromakro {
 namespace {
@@ -329,6 +330,7 @@ void Hdf5File::close() {
 }
 
 bool Hdf5File::recognises(const std::string& file) {
+  check_regular(file);
   silence();
   return H5Fis_hdf5(file.c_str()) > 0;
 }

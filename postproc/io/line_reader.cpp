@@ -58,7 +58,7 @@ std::int64_t LineReader::take(std::int64_t count, std::string_view stop, std::st
 }
 
 void LineReader::check_end() const {
-  if (begin_ == end_) return;
+  if (begin_ == end_ || cut()) return;
   throw bad_input({file_, line_ + 1}, "the file ends within a line", "a line end after the last line",
                   in_quotes({buffer_.data() + begin_, end_ - begin_}));
 }
@@ -75,6 +75,12 @@ bool LineReader::refill() {
   }
   const std::size_t got = source_->read({buffer_.data() + end_, buffer_.size() - end_}, {file_, line_ + 1});
   end_ += got;
+  ended_ = got == 0;
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (line_ == 0 && std::string_view(buffer_.data(), end_).starts_with(byte_order_mark) && !marked_) {
+    begin_ += byte_order_mark.size();
+    marked_ = true;
+  }
   return got > 0;
 }
 

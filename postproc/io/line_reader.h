@@ -13,14 +13,19 @@
 namespace mikromakro {
 
 /// Reads one file line by line; whether it is compressed is seen from its content, not from its name.
+/// A mark of the byte order (UTF-8) before the first line is skipped.
 /// Throws (bad input): the file cannot be opened or decompressed, a line is longer than 16 MB (binary junk),
-/// the last line has no end (a cut file: its last number could be wrong without looking wrong).
+/// the last line has no end (a cut file: its last number could be wrong without looking wrong). Where the
+/// compressed data end early, what stands before is given, and cut() tells it.
 class LineReader {
  public:
   explicit LineReader(const std::string& file);
 
   /// The next line without its end (LF or CRLF), valid until the next call; false at the end of the file.
   bool next(std::string_view& line);
+
+  /// At the end: whether the compressed data ended before their end. A line without end is left out then.
+  bool cut() const { return ended_ && source_->cut(); }
 
   /// Appends the next lines as they stand, ends included: `count` of them, fewer at the end of the file and
   /// before a line that starts with `stop`. Gives how many.
@@ -43,6 +48,8 @@ class LineReader {
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
   std::int64_t line_ = 0;
+  bool ended_ = false;   ///< no more bytes came
+  bool marked_ = false;  ///< the mark of the byte order was there
 };
 
 }  // namespace mikromakro

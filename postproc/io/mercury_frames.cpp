@@ -2,19 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "io/mercury_rows.h"
 
 namespace mikromakro {
 namespace {
-
-// Six digits of each.
-constexpr double same_time = 1e-5;
-
-bool same(double a, double b) {
-  return std::abs(a - b) <= same_time * std::max(std::abs(a), std::abs(b));
-}
 
 void check_wishes(const std::string& file, const ColumnWishes& wishes) {
   const Place place{file};
@@ -31,54 +22,34 @@ void check_wishes(const std::string& file, const ColumnWishes& wishes) {
 
 }  // namespace
 
+// Steps are numbers of frames here, not those of a selection.
 MercuryFrames::MercuryFrames(const std::vector<std::string>& particle_files,
-                             const std::vector<std::string>& contact_files, const ColumnWishes& wishes)
-    : contacts_needed_(wishes.contacts_needed), particles_(particle_files) {
-  check_wishes(particle_files.front(), wishes);
-  if (!contact_files.empty()) contacts_.emplace(contact_files);
-}
-
-std::int64_t MercuryFrames::bytes_read() const {
-  return particles_.bytes_read() + (contacts_ ? contacts_->bytes_read() : 0);
+                             const std::vector<std::string>& contact_files, ColumnWishes wishes)
+    : wishes_(std::move(wishes)), frames_({{}, wishes_.look_through, wishes_.notes}) {
+  check_wishes(particle_files.front(), wishes_);
+  frames_.add<MercuryDataReader>(particle_files);
+  if (!contact_files.empty()) frames_.add<MercuryFstatReader>(contact_files);
 }
 
 bool MercuryFrames::next(std::int64_t& step) {
-  const bool some_particles = particles_.next(of_particles_);
-  if (contacts_) check_partners(some_particles, contacts_->next(of_contacts_));
   step = ++step_;
-  return some_particles;
-}
-
-void MercuryFrames::check_partners(bool some_particles, bool some_contacts) {
-  if (!some_particles && !some_contacts) return;
-  if (some_particles && some_contacts && same(of_particles_.time, of_contacts_.time)) return;
-  const bool particles_alone = some_particles && (!some_contacts || of_particles_.time < of_contacts_.time);
-  const MercuryHeader& alone = particles_alone ? of_particles_ : of_contacts_;
-  const std::string& file = particles_alone ? particles_.reader().file() : contacts_->reader().file();
-  throw bad_input(
-      {file, alone.line},
-      particles_alone ? "frame of particles without contacts" : "frame of contacts without particles",
-      fmt::format("time {} in both", alone.time),
-      some_particles && some_contacts
-          ? fmt::format("time {} there", (particles_alone ? of_contacts_ : of_particles_).time)
-          : "no more frames there");
+  return frames_.next();
 }
 
 UnpackFrame MercuryFrames::take() {
-  const auto particles = std::make_shared<const MercuryBlock>(particles_.reader().take_rows(of_particles_));
-  const auto contacts =
-      contacts_ ? std::make_shared<const MercuryBlock>(contacts_->reader().take_rows(of_contacts_)) : nullptr;
-  return [step = step_, needed = contacts_needed_, particles, contacts](RawFrame& frame) {
+  const auto blocks = frames_.take_rows();
+  if (blocks.empty()) return {};
+  return [step = step_, wishes = wishes_, blocks](RawFrame& frame) {
+    const MercuryBlock& particles = *blocks.front();
     frame.step = step;
-    frame.box = particles->header.box;
-    frame.particle_file = particles->file;
-    frame.first_particle_line = particles->header.line + 1;
-    frame.particles_given = mercury_particle_columns;
-    frame.particles = mercury_particles(*particles);
-    frame.with_contacts = contacts != nullptr;
-    if (!contacts) return;
-    frame.contacts = mercury_contacts(*contacts, frame.particles);
-    frame.contacts.needed = needed;
+    frame.box = particles.header.box;
+    frame.particle_file = particles.file;
+    frame.first_particle_line = particles.header.line + 1;
+    frame.particles = mercury_particles(particles, wishes.particles_needed, frame.particles_given);
+    frame.with_contacts = blocks.size() > 1;
+    if (!frame.with_contacts) return;
+    frame.contacts = mercury_contacts(*blocks.back(), frame.particles);
+    frame.contacts.needed = wishes.contacts_needed;
   };
 }
 

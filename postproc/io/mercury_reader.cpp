@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "io/row_parser.h"
 
 namespace mikromakro {
@@ -26,33 +29,48 @@ void check_box(const Box& box, const Place& place, std::string_view line) {
 
 }  // namespace
 
+bool MercuryHeader::same_time(const MercuryHeader& other) const {
+  constexpr double tolerance = 1e-5;
+  return std::abs(time - other.time) <= tolerance * std::max(std::abs(time), std::abs(other.time));
+}
+
+std::string MercuryHeader::time_text() const {
+  return fmt::format("time {}", time);
+}
+
 bool MercuryReader::next_frame(std::string_view& line, std::string_view kind) {
   std::string skipped;
-  if (rows_ > 0) cut_rows(skipped);
+  if (rows_ > 0 && !cut_rows(skipped)) return false;
   while (lines_.next(line))
-    if (!line.empty()) return true;
+    if (!words(line).empty()) return true;
   if (lines_.line() == 0) throw bad_input({file()}, "the file is empty", kind, "no line");
   return false;
 }
 
-MercuryBlock MercuryReader::take_rows(const MercuryHeader& header) {
+std::optional<MercuryBlock> MercuryReader::take_rows(const MercuryHeader& header) {
   MercuryBlock block{file(), header, {}};
-  cut_rows(block.text);
+  if (!cut_rows(block.text)) return std::nullopt;
   return block;
 }
 
-void MercuryReader::cut_rows(std::string& text) {
-  const std::int64_t got = lines_.take(rows_, comment, text);
-  if (got < rows_ && rows_ != to_the_next_header)
-    throw bad_input(lines_.place(), "the file ends within a frame", fmt::format("{} rows", rows_),
-                    fmt::format("{}", got));
+// False where a cut file ends among them.
+bool MercuryReader::cut_rows(std::string& text) {
+  const std::int64_t rows = rows_;
+  const std::int64_t got = lines_.take(rows, comment, text);
   rows_ = 0;
+  if (got == rows) return true;
+  if (lines_.cut()) return false;
+  if (rows != to_the_next_header)
+    throw bad_input(lines_.place(), "the file ends within a frame", fmt::format("{} rows", rows),
+                    fmt::format("{}", got));
+  return true;
 }
 
 bool MercuryDataReader::recognises(const std::string& file) {
   const std::string line = first_line(file);
   std::string_view rest = line;
-  return begins_with_digit(next_word(rest));
+  // A number alone is the first line of a file of xyz.
+  return begins_with_digit(next_word(rest)) && !next_word(rest).empty();
 }
 
 bool MercuryDataReader::next_header(MercuryHeader& header) {
@@ -66,6 +84,7 @@ bool MercuryDataReader::next_header(MercuryHeader& header) {
   header.rows = parse_integer(found[0], place);
   if (header.rows < 0) throw bad_input(place, "negative number of rows", "0 or more", in_quotes(line));
   header.time = parse_number(found[1], place);
+  header.box.boundaries_known = false;
   const std::size_t dimensions = found.size() / 2 - 1;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const auto index = static_cast<Eigen::Index>(axis);
@@ -75,6 +94,7 @@ bool MercuryDataReader::next_header(MercuryHeader& header) {
   check_box(header.box, place, line);
   header.columns = dimensions == 2 ? 8 : 14;
   header.line = lines_.line();
+  header.step = frames_++;
   rows_ = header.rows;
   return true;
 }
@@ -101,6 +121,7 @@ bool MercuryFstatReader::next_header(MercuryHeader& header) {
       throw bad_input(lines_.place(), "not the header of an .fstat frame", expected, in_quotes(line));
   }
   header.line = lines_.line();
+  header.step = frames_++;
   rows_ = to_the_next_header;
   return true;
 }

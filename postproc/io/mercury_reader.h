@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -24,7 +25,12 @@ struct MercuryHeader {
   int columns = 0;
   std::int64_t line = 0;  ///< the last one of the header
 
+  std::int64_t step = 0;  ///< the number of the frame in its file, from 0
+
   double order() const { return time; }
+  /// Within the six digits that the files have at least.
+  bool same_time(const MercuryHeader& other) const;
+  std::string time_text() const;
 };
 
 /// The rows below one header as text; row i is line header.line + 1 + i.
@@ -38,9 +44,13 @@ struct MercuryBlock {
 class MercuryReader {
  public:
   using Header = MercuryHeader;
+  using Block = MercuryBlock;
   static constexpr std::string_view not_ascending = "times do not ascend";
+  static constexpr bool has_pieces = false;
 
-  MercuryBlock take_rows(const MercuryHeader& header);
+  /// Nothing where a compressed file was cut among them (in .fstat: anywhere behind the header).
+  std::optional<MercuryBlock> take_rows(const MercuryHeader& header);
+  bool cut() const { return lines_.cut(); }
 
   const std::string& file() const { return lines_.file(); }
   std::int64_t bytes_read() const { return lines_.bytes_read(); }
@@ -54,17 +64,18 @@ class MercuryReader {
   bool next_frame(std::string_view& line, std::string_view kind);
 
   LineReader lines_;
-  std::int64_t rows_ = 0;  ///< of the last header, until they are cut out
+  std::int64_t frames_ = 0;  ///< headers that were read
+  std::int64_t rows_ = 0;    ///< of the last header, until they are cut out
 
  private:
-  void cut_rows(std::string& text);
+  bool cut_rows(std::string& text);
 };
 
 /// Throws whatever is no .data file: a header of another length, fewer rows than it says.
 class MercuryDataReader : public MercuryReader {
  public:
   explicit MercuryDataReader(const std::string& file) : MercuryReader(file) {}
-  /// Whether a file begins as .data files do, with a number.
+  /// Whether a file begins as .data files do, with a number and others behind it.
   static bool recognises(const std::string& file);
   bool next_header(MercuryHeader& header);
 };

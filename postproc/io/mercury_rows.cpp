@@ -16,9 +16,7 @@ constexpr auto slot(ParticleColumn column) {
   return static_cast<int>(column);
 }
 
-// The places of the third dimension behind those of a particle.
-constexpr int z_slot = slot(ParticleColumn::count);
-using DataSlots = std::array<double, static_cast<std::size_t>(z_slot) + 1>;
+constexpr int z_slot = static_cast<int>(particle_z);
 
 ColumnMap data_map(int columns) {
   constexpr int skip = -1;
@@ -71,6 +69,10 @@ FstatRow fstat_row(std::string_view line, const Place& place) {
           slots[ft_at],
           {slots[nx_at], slots[ny_at]},
           {slots[tx_at], slots[ty_at]}};
+}
+
+bool is_species(double number) {
+  return is_integer(number) && number >= 0;
 }
 
 void check_index(std::int64_t index, const std::vector<Particle>& particles, const Place& place) {
@@ -139,30 +141,35 @@ bool is_mirrored(const FstatRow& row, std::map<std::pair<std::int64_t, std::int6
 
 }  // namespace
 
-std::vector<Particle> mercury_particles(const MercuryBlock& block) {
+std::vector<Particle> mercury_particles(const MercuryBlock& block, ColumnSet needed, ColumnSet& given) {
+  constexpr ColumnSet type_column = column_set(ParticleColumn::type);
   const ColumnMap map = data_map(block.header.columns);
+  given = mercury_particle_columns;
   Place place{block.file, block.header.line};
   std::vector<Particle> particles;
   particles.reserve(static_cast<std::size_t>(block.header.rows));
-  DataSlots row{};
-  double plane = 0;
+  ParticleSlots row;
+  row.fill(not_given);
+  PlaneCheck plane;
+  const auto at = [&](ParticleColumn column) -> double& { return row[static_cast<std::size_t>(column)]; };
   for (std::string_view rest = block.text; !rest.empty();) {
     ++place.line;
     parse_row(next_line(rest), map, row, place);
-    ParticleSlots slots;
-    slots.fill(not_given);
-    std::copy_n(row.begin(), slots.size(), slots.begin());
-    const auto at = [&](ParticleColumn column) -> double& { return slots[static_cast<std::size_t>(column)]; };
     at(ParticleColumn::id) = static_cast<double>(place.line - block.header.line);
     if (block.header.columns == 8) at(ParticleColumn::omegaz) *= -1;
+    const double species = at(ParticleColumn::type);
+    if (!is_species(species)) {
+      if ((needed & type_column) != 0)
+        throw bad_input(place, "the last column is no species", "a whole number from 0 on",
+                        fmt::format("{}", species));
+      given &= ~type_column;
+    }
     at(ParticleColumn::type) += 1;
-    at(ParticleColumn::mass) = not_given;
-    particles.push_back(particle_of(slots, mercury_particle_columns, place));
-    if (particles.size() == 1) plane = row[z_slot];
-    if (std::abs(row[z_slot] - plane) > in_plane * particles.back().radius)
-      throw bad_input(place, "the particles are not in a plane", fmt::format("z = {} of all", plane),
-                      fmt::format("{}", row[z_slot]));
+    particles.push_back(particle_of(row, given, place));
+    if (block.header.columns != 8) plane.add(row[particle_z], particles.back().radius, place);
   }
+  if ((given & type_column) == 0)
+    for (Particle& particle : particles) particle.type = 0;
   return particles;
 }
 

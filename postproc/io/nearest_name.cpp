@@ -39,7 +39,10 @@ std::string_view nearest_name(std::string_view given, std::span<const std::strin
     least = distance;
     nearest = name;
   }
-  return nearest;
+  if (!nearest.empty() || given.size() < 3) return nearest;
+  const auto longer = std::find_if(known.begin(), known.end(),
+                                   [given](std::string_view name) { return name.starts_with(given); });
+  return longer == known.end() ? std::string_view{} : *longer;
 }
 
 std::string in_quotes_with_guess(std::string_view given, std::span<const std::string_view> known) {

@@ -12,8 +12,8 @@ namespace mikromakro {
 /// the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The name that is nearest to `given`; empty where more than a third of its letters, and more than one, would
-/// have to change.
+/// The name that is nearest to `given`; empty where more than a third of its letters, and more than one,
+/// would have to change, and none begins with it.
 std::string_view nearest_name(std::string_view given, std::span<const std::string_view> known);
 
 /// For the end of an error: 'strss' (did you mean 'stress'?), without the question where nothing is near.

@@ -75,8 +75,7 @@ std::string full_name(const std::string& file) {
 OutputFile::OutputFile(const std::string& file) : file_(file), target_(target_of(file)), temporary_(target_) {
   std::error_code code;
   const fs::file_status status = fs::status(target_, code);
-  if (fs::is_directory(status))
-    throw bad_input({file}, "cannot write the output", "a file name", "a folder");
+  if (fs::is_directory(status)) throw bad_input({file}, "cannot write the output", "a file name", "a folder");
   if (fs::exists(status) && access(target_.c_str(), W_OK) != 0)
     throw bad_input({file}, "cannot write the output", "a file that can be written", std::strerror(errno));
   if (fs::exists(status) && !fs::is_regular_file(status)) return;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/row_parser.h"
 
@@ -28,7 +29,7 @@ Particle particle_of(const ParticleSlots& slots, ColumnSet given_columns, const 
   const auto at = [&](ParticleColumn column) { return slots[static_cast<std::size_t>(column)]; };
   const auto given = [&](ParticleColumn column) { return (given_columns & column_bit(column)) != 0; };
   Particle particle;
-  particle.id = counting(at(ParticleColumn::id), "id", place);
+  if (given(ParticleColumn::id)) particle.id = counting(at(ParticleColumn::id), "id", place);
   if (given(ParticleColumn::type)) {
     const std::int64_t type = counting(at(ParticleColumn::type), "type", place);
     if (type > std::numeric_limits<int>::max())
@@ -44,27 +45,40 @@ Particle particle_of(const ParticleSlots& slots, ColumnSet given_columns, const 
   return particle;
 }
 
-std::vector<Particle> read_particles(const RowBlock& block, const std::vector<std::string>& list,
-                                     ColumnSet needed, ColumnSet& given) {
+void PlaneCheck::add(double z, double radius, const Place& place) {
+  // A millionth of a radius is the rounding of six digits, not a third dimension.
+  constexpr double in_plane = 1e-6;
+  if (std::isnan(plane_)) plane_ = z;
+  if (!(std::abs(z - plane_) <= in_plane * radius))
+    throw bad_input(place, "the particles are not in a plane", fmt::format("z = {} of all", plane_),
+                    fmt::format("{}", z));
+}
+
+ParticleRows read_particles(const RowBlock& block, const std::vector<std::string>& list, ColumnSet needed) {
   const DumpHeader& header = block.header;
   Place place{block.file, header.line};
   if (!header.of_particles())
     throw bad_input(place, "not a dump of particles", "'ITEM: ATOMS'", in_quotes("ITEM: " + header.label));
-  const ColumnMap map = list.empty() ? map_header(header.columns, particle_names(), place)
-                                     : map_option(list, header.columns.size(), particle_names(), place);
-  require_columns(map, needed | particle_base_columns, particle_names(), place);
+  ParticleColumns columns(header, list, place);
+  require_columns(columns.map(), needed | particle_base_columns, particle_names(), place);
 
-  std::vector<Particle> particles;
-  particles.reserve(static_cast<std::size_t>(header.rows));
-  given = map.given;
+  ParticleRows rows;
+  rows.particles.reserve(static_cast<std::size_t>(header.rows));
+  rows.given = columns.map().given;
+  const bool with_ids = (rows.given & column_set(ParticleColumn::id)) != 0;
+  PlaneCheck plane;
   ParticleSlots slots;
   slots.fill(not_given);
   for (std::string_view rest = block.text; !rest.empty();) {
     ++place.line;
-    parse_row(next_line(rest), map, slots, place);
-    particles.push_back(particle_of(slots, map.given, place));
+    parse_row(next_line(rest), columns.map(), slots, place);
+    columns.settle(slots, place);
+    rows.particles.push_back(particle_of(slots, rows.given, place));
+    if (!with_ids) rows.particles.back().id = std::ssize(rows.particles);
+    if (columns.with_z()) plane.add(slots[particle_z], rows.particles.back().radius, place);
   }
-  return particles;
+  rows.place_error = columns.place_error();
+  return rows;
 }
 
 }  // namespace mikromakro

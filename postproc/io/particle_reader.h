@@ -1,31 +1,45 @@
 // Particles of one dump frame.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
 #include "io/column_map.h"
 #include "io/dump_reader.h"
 #include "io/frame.h"
+#include "io/particle_columns.h"
 
 namespace mikromakro {
 
-/// What every average needs of a particle.
+/// What every average needs of a particle; contacts need its id, too.
 inline constexpr ColumnSet particle_base_columns =
-    column_set(ParticleColumn::id, ParticleColumn::x, ParticleColumn::y, ParticleColumn::radius);
+    column_set(ParticleColumn::x, ParticleColumn::y, ParticleColumn::radius);
 
-/// Numbers of a row, by ParticleColumn.
-using ParticleSlots = std::array<double, static_cast<std::size_t>(ParticleColumn::count)>;
-
-/// A particle from its numbers, nan where `given` has no such column. Throws: radius or mass <= 0, ids below
-/// 1 or not whole, types below 1 where they are given.
+/// A particle from its numbers, nan where `given` has no such column (id and type 0). Throws: radius or mass
+/// <= 0, ids and types below 1 or not whole where they are given.
 Particle particle_of(const ParticleSlots& slots, ColumnSet given, const Place& place);
 
-/// Turns the rows of a frame into particles (SI units as in the file).
+/// Throws where the z of particles (one after the other) is not the same within 1e-6 of a radius: averages
+/// are of the plane, and spheres above each other would count as overlapping discs.
+class PlaneCheck {
+ public:
+  void add(double z, double radius, const Place& place);
+
+ private:
+  double plane_ = not_given;
+};
+
+/// Of one frame, or a piece of it.
+struct ParticleRows {
+  std::vector<Particle> particles;
+  ColumnSet given = 0;             ///< the columns that are there
+  double place_error = not_given;  ///< see ParticleColumns
+};
+
+/// Turns the rows of a frame into particles (units as in the file).
 /// `list` are the names of --particle-columns (empty: the header's own); `needed` must be among them.
-/// Throws: missing columns, and all that particle_of throws. `given` becomes the columns that are there.
-std::vector<Particle> read_particles(const RowBlock& block, const std::vector<std::string>& list,
-                                     ColumnSet needed, ColumnSet& given);
+/// Without a column of ids they are the numbers of the rows, from 1. Throws: missing columns, and all that
+/// ParticleColumns, particle_of and PlaneCheck throw.
+ParticleRows read_particles(const RowBlock& block, const std::vector<std::string>& list, ColumnSet needed);
 
 }  // namespace mikromakro

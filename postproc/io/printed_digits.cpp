@@ -21,7 +21,7 @@ void PrintedDigits::add(double number) {
 
 double PrintedDigits::rounding(double size) const {
   if (size == 0) return 0;
-  const int digits = count_ < few ? std::max(digits_, least) : digits_;
+  const int digits = count_ < enough ? std::max(digits_, least) : digits_;
   return 0.5 * std::pow(10.0, std::floor(std::log10(std::abs(size))) + 1 - digits);
 }
 

@@ -1,4 +1,5 @@
-// How exactly a file tells its numbers: read off the numbers themselves, whatever kind of file they came from.
+// How exactly a file tells its numbers: read off the numbers themselves, whatever kind of file they came
+// from.
 #pragma once
 
 namespace mikromakro {
@@ -9,14 +10,13 @@ namespace mikromakro {
 class PrintedDigits {
  public:
   /// How many numbers are enough.
-  static constexpr int enough = 24;
+  static constexpr int enough = 16;
 
   void add(double number);
   /// What a number of this size may have lost: half a unit of its last digit.
   double rounding(double size) const;
 
  private:
-  static constexpr int few = 16;
   static constexpr int least = 6;
 
   int count_ = 0;

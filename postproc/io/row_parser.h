@@ -21,7 +21,8 @@ std::vector<std::string_view> words(std::string_view line);
 /// one.
 std::string_view next_line(std::string_view& rest);
 
-/// A finite number. Throws for anything else, nan and inf and numbers beyond double included.
+/// A finite number, as C prints decimal ones (`+5.0e-01`, too; not hexadecimal ones). Throws for anything
+/// else, nan and inf and numbers beyond double included.
 double parse_number(std::string_view word, const Place& place);
 
 /// A whole number. Throws for anything else. Accepts whole numbers written as floating point (1e+06), as the
@@ -30,8 +31,8 @@ std::int64_t parse_integer(std::string_view word, const Place& place);
 bool is_integer(double number);
 std::int64_t as_integer(double number, std::string_view what, const Place& place);
 
-/// Parses one row; slots that no column fills are left as they are. Throws on too few or too many columns and
-/// on numbers that are none.
+/// Parses one row; slots that no column fills are left as they are. Throws on too few or too many columns, on
+/// numbers that are none, and where a column that is there again holds another number.
 void parse_row(std::string_view line, const ColumnMap& map, std::span<double> slots, const Place& place);
 
 }  // namespace mikromakro

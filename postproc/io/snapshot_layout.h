@@ -43,8 +43,8 @@ inline constexpr Element elements[] = {{"id", "", ParticleColumn::id, 1},
 /// /contacts/<column>: rows of all frames one after the other, by the names of `compute contact/disc`; those
 /// of frame i are offset[i] to offset[i + 1]; /contacts/step.
 inline const std::string contacts = "/contacts/";
-inline constexpr std::string_view contact_units[] = {"",  "",  "m", "m", "m", "m",     "",      "", "m",
-                                                     "N", "N", "N", "N", "m", "m s-1", "m s-1", "", "m", "m", "m"};
+inline constexpr std::string_view contact_units[] = {"",  "",  "m", "m", "m",     "m",     "", "",  "m", "N",
+                                                     "N", "N", "N", "m", "m s-1", "m s-1", "", "m", "m", "m"};
 inline bool whole(ContactColumn column) {
   return column == ContactColumn::id1 || column == ContactColumn::id2 || column == ContactColumn::periodic;
 }

@@ -153,7 +153,8 @@ struct SnapshotReader::Open {
   Open(const std::string& name, const ColumnWishes& wishes)
       : file(Hdf5File::open(name)), summary(summarise_snapshots(file, name)), boxes(file, summary, name) {
     const ColumnMap particles{{}, summary.particles_given};
-    require_columns(particles, wishes.particles_needed | particle_base_columns,
+    require_columns(particles,
+                    wishes.particles_needed | particle_base_columns | column_set(ParticleColumn::id),
                     without_option(particle_names()), {name});
     const ColumnMap contacts{{}, summary.contacts_given};
     if (wishes.contacts_needed != 0)

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "io/contact_presets.h"
 #include "io/contact_reader.h"
 #include "io/particle_reader.h"
@@ -9,19 +11,41 @@
 namespace mikromakro {
 namespace {
 
-void add_walls(const RowBlock& block, const ColumnWishes& wishes, bool beside_discs, RawFrame& frame) {
-  ContactRows walls = read_contacts(block, {wishes.wall_columns, true}, wishes.contacts_needed);
-  if (beside_discs)
-    add_wall_contacts(std::move(walls), frame.contacts);
-  else
-    frame.contacts = std::move(walls);
+using Blocks = std::vector<std::shared_ptr<const RowBlock>>;
+
+void unpack_particles(const Blocks& pieces, const ColumnWishes& wishes, ColumnSet needed, RawFrame& frame) {
+  frame.particles.clear();
+  for (const auto& piece : pieces) {
+    ParticleRows rows = read_particles(*piece, wishes.particle_columns, needed);
+    if (piece == pieces.front()) {
+      frame.particles = std::move(rows.particles);
+      frame.particles_given = rows.given;
+      frame.place_error = rows.place_error;
+      continue;
+    }
+    frame.further_pieces.push_back({frame.particles.size(), piece->file, piece->header.line + 1});
+    frame.particles.insert(frame.particles.end(), rows.particles.begin(), rows.particles.end());
+    frame.particles_given &= rows.given;
+    frame.place_error = std::fmax(frame.place_error, rows.place_error);
+  }
 }
 
-void note_missing_forces(const RowBlock* contacts, const ColumnWishes& wishes) {
-  if (contacts == nullptr || !is_without_tangential_forces(wishes.contact_columns, contacts->header)) return;
-  wishes.notes->add(fmt::format("{}: compute pair/local gives normal forces only (its p1 p2 p3 are the "
-                                "tangential ones of granular styles)",
-                                contacts->file));
+ContactRows contacts_of(const Blocks& pieces, const ContactFormat& format, ColumnSet needed) {
+  ContactRows contacts;
+  for (const auto& piece : pieces) {
+    ContactRows rows = read_contacts(*piece, format, needed);
+    piece == pieces.front() ? void(contacts = std::move(rows)) : contacts.append(rows);
+  }
+  return contacts;
+}
+
+void note_missing_forces(const Blocks& contacts, const ColumnWishes& wishes) {
+  if (contacts.empty() || !is_without_tangential_forces(wishes.contact_columns, contacts.front()->header))
+    return;
+  wishes.notes->add(
+      fmt::format("{}: compute pair/local gives normal forces only (its p1 p2 p3 are the "
+                  "tangential ones of granular styles)",
+                  contacts.front()->file));
 }
 
 }  // namespace
@@ -29,57 +53,86 @@ void note_missing_forces(const RowBlock* contacts, const ColumnWishes& wishes) {
 TextFrames::TextFrames(const std::vector<std::string>& particle_files,
                        const std::vector<std::string>& contact_files, ColumnWishes wishes,
                        const std::vector<std::string>& wall_files)
-    : wishes_(std::make_shared<const ColumnWishes>(std::move(wishes))), particles_(particle_files) {
-  if (!contact_files.empty()) contacts_.emplace(contact_files);
-  if (!wall_files.empty()) walls_ = std::make_unique<WallDumps>(wall_files);
-}
-
-std::int64_t TextFrames::bytes_read() const {
-  return particles_.bytes_read() + (contacts_ ? contacts_->bytes_read() : 0) +
-         (walls_ ? walls_->bytes_read() : 0);
+    : wishes_(std::make_shared<const ColumnWishes>(std::move(wishes))),
+      frames_({wishes_->selection, wishes_->look_through, wishes_->notes}) {
+  frames_.add<DumpReader>(particle_files);
+  particle_pieces_ = frames_.size();
+  if (!contact_files.empty()) frames_.add<DumpReader>(contact_files);
+  contact_pieces_ = frames_.size() - particle_pieces_;
+  if (!wall_files.empty()) frames_.add<DumpReader>(wall_files);
 }
 
 bool TextFrames::next(std::int64_t& step) {
-  const bool some_particles = particles_.next(of_particles_);
-  if (contacts_) check_partners(some_particles, contacts_->next(of_contacts_));
-  step = of_particles_.step;
-  return some_particles;
+  if (!frames_.next()) return false;
+  step = frames_.header(0).step;
+  find_units();
+  return true;
 }
 
-void TextFrames::check_partners(bool some_particles, bool some_contacts) {
-  if (!some_particles && !some_contacts) return;
-  if (some_particles && some_contacts && of_particles_.step == of_contacts_.step) return;
-  // The earlier step of the two is the one without partner.
-  const bool particles_alone = some_particles && (!some_contacts || of_particles_.step < of_contacts_.step);
-  FileSequence<DumpReader>& dumps = particles_alone ? particles_ : *contacts_;
-  const DumpHeader& alone = particles_alone ? of_particles_ : of_contacts_;
-  const DumpHeader& other = particles_alone ? of_contacts_ : of_particles_;
-  const bool some_other = particles_alone ? some_contacts : some_particles;
-  throw bad_input(
-      {dumps.reader().file(), alone.line},
-      particles_alone ? "frame of particles without contacts" : "frame of contacts without particles",
-      fmt::format("step {} in both", alone.step),
-      some_other ? fmt::format("step {} there", other.step) : "no more frames there");
+// LAMMPS names them before the first frame of the first file only, and perhaps in one of the dumps only.
+void TextFrames::find_units() {
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    const DumpHeader& header = frames_.header(i);
+    if (header.units.empty() || header.units == units_name_) continue;
+    const Place place{frames_.file(i), header.line};
+    const Units units = units_of(header.units, place);
+    if (!units_name_.empty() || (some_taken_ && !units.are_si()))
+      throw bad_input(place, "the units change",
+                      units_name_.empty() ? "units of the frames before" : in_quotes(units_name_),
+                      in_quotes(header.units));
+    units_name_ = header.units;
+    units_ = units;
+    if (const std::string text = units_note(units_name_); !text.empty())
+      wishes_->notes->add(fmt::format("{}: {}", frames_.file(i), text));
+  }
 }
+
+// The rows of a frame as they lie in the files.
+struct TextFrames::Packed {
+  std::shared_ptr<const ColumnWishes> wishes;
+  Units units;
+  Blocks particles, contacts, walls;
+
+  void unpack(RawFrame& frame) const {
+    const RowBlock& first = *particles.front();
+    frame.step = first.header.step;
+    frame.time = first.header.time;
+    frame.box = first.header.box;
+    frame.units = units;
+    frame.particle_file = first.file;
+    frame.first_particle_line = first.header.line + 1;
+    frame.with_contacts = !contacts.empty() || !walls.empty();
+    // Without ids pieces that are the same file twice would not be seen.
+    const bool ids = frame.with_contacts || particles.size() > 1;
+    unpack_particles(particles, *wishes,
+                     wishes->particles_needed | (ids ? column_set(ParticleColumn::id) : 0), frame);
+    if (frame.with_contacts) unpack_contacts(frame);
+  }
+
+  void unpack_contacts(RawFrame& frame) const {
+    if (!contacts.empty())
+      frame.contacts = contacts_of(contacts, {wishes->contact_columns}, wishes->contacts_needed);
+    if (!walls.empty()) {
+      ContactRows rows = contacts_of(walls, {wishes->wall_columns, true}, wishes->contacts_needed);
+      contacts.empty() ? void(frame.contacts = std::move(rows))
+                       : add_wall_contacts(std::move(rows), frame.contacts);
+    }
+    note_missing_forces(contacts, *wishes);
+  }
+};
 
 UnpackFrame TextFrames::take() {
-  const auto particles = std::make_shared<const RowBlock>(particles_.reader().take_rows(of_particles_));
-  const auto contacts =
-      contacts_ ? std::make_shared<const RowBlock>(contacts_->reader().take_rows(of_contacts_)) : nullptr;
-  const auto walls = walls_ ? walls_->take(of_particles_.step) : nullptr;
-  return [wishes = wishes_, particles, contacts, walls](RawFrame& frame) {
-    frame.step = particles->header.step;
-    frame.box = particles->header.box;
-    frame.particle_file = particles->file;
-    frame.first_particle_line = particles->header.line + 1;
-    frame.particles =
-        read_particles(*particles, wishes->particle_columns, wishes->particles_needed, frame.particles_given);
-    frame.with_contacts = contacts != nullptr || walls != nullptr;
-    if (contacts)
-      frame.contacts = read_contacts(*contacts, {wishes->contact_columns}, wishes->contacts_needed);
-    if (walls) add_walls(*walls, *wishes, contacts != nullptr, frame);
-    note_missing_forces(contacts.get(), *wishes);
-  };
+  const Blocks blocks = frames_.take_rows();
+  if (blocks.empty()) return {};
+  some_taken_ = true;
+  const auto first_contacts = blocks.begin() + static_cast<std::ptrdiff_t>(particle_pieces_);
+  const auto first_walls = first_contacts + static_cast<std::ptrdiff_t>(contact_pieces_);
+  const Packed packed{wishes_,
+                      units_,
+                      {blocks.begin(), first_contacts},
+                      {first_contacts, first_walls},
+                      {first_walls, blocks.end()}};
+  return [packed](RawFrame& frame) { packed.unpack(frame); };
 }
 
 }  // namespace mikromakro

@@ -2,15 +2,14 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/dump_reader.h"
-#include "io/file_sequence.h"
 #include "io/frame_format.h"
+#include "io/matched_frames.h"
 #include "io/notes.h"
-#include "io/wall_dumps.h"
+#include "io/units.h"
 
 namespace mikromakro {
 
@@ -22,11 +21,14 @@ struct ColumnWishes {
   ColumnSet particles_needed = 0;
   ColumnSet contacts_needed = 0;
   std::shared_ptr<Notes> notes = std::make_shared<Notes>();
+  FrameSelection selection = {};  ///< to say nothing about other steps
+  bool look_through = false;      ///< whether files are looked through for steps that come again
   std::vector<std::string> wall_columns = {};
 };
 
-/// Throws: a time step that only the particles or only the contacts have, and all that read_particles and
-/// read_contacts throw.
+/// Frames that only the particles or only the contacts have, and steps of which a piece is missing, are left
+/// out and noted. Numbers are converted to SI where a dump names its units. Throws: no step in both, units
+/// that contradict each other, and all that units_of, read_particles and read_contacts throw.
 class TextFrames : public FrameFormat {
  public:
   /// Neither contact nor wall files: frames without contacts.
@@ -35,17 +37,19 @@ class TextFrames : public FrameFormat {
 
   bool next(std::int64_t& step) override;
   UnpackFrame take() override;
-  std::int64_t bytes_read() const override;
+  std::int64_t bytes_read() const override { return frames_.bytes_read(); }
 
  private:
-  void check_partners(bool some_particles, bool some_contacts);
+  struct Packed;
+  void find_units();
 
   std::shared_ptr<const ColumnWishes> wishes_;
-  FileSequence<DumpReader> particles_;
-  std::optional<FileSequence<DumpReader>> contacts_;
-  DumpHeader of_particles_;
-  DumpHeader of_contacts_;
-  std::unique_ptr<WallDumps> walls_;
+  MatchedFrames<DumpHeader, RowBlock> frames_;
+  std::size_t particle_pieces_ = 0;
+  std::size_t contact_pieces_ = 0;
+  std::string units_name_;  ///< empty: no dump has named them so far
+  Units units_;
+  bool some_taken_ = false;
 };
 
 }  // namespace mikromakro

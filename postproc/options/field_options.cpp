@@ -11,6 +11,7 @@
 namespace mikromakro {
 
 void add_field_options(CLI::App& app, FieldChoice& choice) {
+  app.option_defaults()->group("Fields");
   app.add_option("--kn", choice.numbers.normal_stiffness,
                  "normal stiffness k_n (N/m): E and G in units of k_n/h, curvature without springs")
       ->check(positive());
@@ -23,6 +24,7 @@ void add_field_options(CLI::App& app, FieldChoice& choice) {
                  fmt::format("all, or names of {}; default {}", fmt::join(field_names(), ","),
                              fmt::join(default_field_names(), ",")))
       ->delimiter(',');
+  app.option_defaults()->group("Options");
 }
 
 namespace {

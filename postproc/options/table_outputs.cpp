@@ -26,7 +26,7 @@ TableOutputs::TableOutputs(const std::vector<std::string>& names, const std::vec
       throw bad_input({"--out"}, "unknown kind of output file",
                       "a name ending in .csv, .h5, .vtkhdf or .hdf, or -", in_quotes(name));
   }
-  check_outputs(names, inputs);
+  check_outputs(names.empty() ? std::vector<std::string>{"-"} : names, inputs);
   for (const std::string& name : names) {
     if (name == "-") {
       to_stdout_ = true;

@@ -44,6 +44,14 @@ std::optional<std::int64_t> whole_of(std::string_view text) {
   return value;
 }
 
+// What a script gives whose variable is not set.
+CLI::Validator not_empty() {
+  return {[](std::string& text) {
+            return unless(!text.empty(), "an empty value", "something, or no such option", text);
+          },
+          ""};
+}
+
 bool takes(const CLI::Option& option, std::string_view kind) {
   return option.get_type_name().find(kind) != std::string::npos;
 }
@@ -103,13 +111,15 @@ CLI::Validator one_of(std::vector<std::string_view> names) {
           fmt::format("{}", fmt::join(names, "/"))};
 }
 
-void check_numbers(CLI::App& app) {
+void check_values(CLI::App& app) {
   constexpr std::int64_t most = std::numeric_limits<int>::max();
   for (CLI::Option* option : app.get_options()) {
     if (takes(*option, "FLOAT")) {
       option->check(number([](double) { return true; }, "a finite number", ""));
     } else if (takes(*option, "UINT") || takes(*option, "INT")) {
       option->transform(whole_number(-most, most).description(""));
+    } else if (option->get_items_expected_max() > 0 && !option->get_inject_separator()) {
+      option->check(not_empty());
     }
   }
 }

@@ -16,8 +16,9 @@ CLI::Validator whole_number(std::int64_t low, std::int64_t high);
 CLI::Validator one_of(std::vector<std::string_view> names);
 
 /// Every option of `app` that takes numbers takes finite ones only, and whole ones where it counts: nan would
-/// pass all comparisons, and 010 would be read as 8. To be called when all options are there.
-void check_numbers(CLI::App& app);
+/// pass all comparisons, and 010 would be read as 8. No option takes an empty value, which would be as if it
+/// had not been given. To be called when all options are there.
+void check_values(CLI::App& app);
 
 /// What is wrong with the words that `app` was given, in the same form, with the option's name in front;
 /// `listed` says where its options stand.

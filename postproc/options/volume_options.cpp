@@ -111,6 +111,7 @@ void describe_weight(const VolumeOptions& options, Preamble& lines) {
 }  // namespace
 
 void add_volume_options(CLI::App& app, VolumeOptions& options) {
+  app.option_defaults()->group("Volumes");
   app.add_option("--rings", options.rings, "RMIN RMAX N: N equal rings (m)")
       ->expected(3)
       ->allow_extra_args(false);
@@ -135,6 +136,7 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
       "--branch", options.branch,
       "branch vector: radius (a_p n; default but for kernels) or contact (to the contact point; default "
       "for kernels)");
+  app.option_defaults()->group("Options");
 }
 
 void add_weight_option(CLI::App& app, VolumeOptions& options, const std::string& choice) {

@@ -46,7 +46,8 @@ std::vector<Eigen::Vector2d> lattice(const Uniform& uniform) {
     for (int column = -2 * most; column <= 2 * most; ++column) {
       const Eigen::Vector2d site(pitch * (column + 0.5 * std::abs(row % 2)), row_height * row);
       if (site.norm() < r_inner || site.norm() > r_outer || std::ssize(centres) == disc_count) continue;
-      centres.push_back(site + Eigen::Vector2d(uniform(-displaced, displaced), uniform(-displaced, displaced)));
+      centres.push_back(site +
+                        Eigen::Vector2d(uniform(-displaced, displaced), uniform(-displaced, displaced)));
     }
   return centres;
 }
@@ -71,10 +72,10 @@ Rows random_rows(std::mt19937& generator) {
   Rows rows;
   const auto centres = lattice(uniform);
   for (std::size_t i = 0; i < centres.size(); ++i)
-    rows.particles += fmt::format(
-        "{} {} {:.17g} {:.17g} 0 {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} \n", i + 1, 1 + i % 2,
-        centres[i].x(), centres[i].y(), radius, 2.7502e-4, uniform(-0.01, 0.01), uniform(-0.01, 0.01),
-        uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+    rows.particles +=
+        fmt::format("{} {} {:.17g} {:.17g} 0 {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} \n",
+                    i + 1, 1 + i % 2, centres[i].x(), centres[i].y(), radius, 2.7502e-4, uniform(-0.01, 0.01),
+                    uniform(-0.01, 0.01), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
   rows.disc_count = static_cast<int>(centres.size());
   int count = 0;
   // Sites are listed row by row: neighbours are the next one and some of the following row.

@@ -47,8 +47,18 @@ pair_style gran model disc/linear tangential disc/cundall_strack
 pair_coeff * *
 fix integrate free nve/disc
 compute contacts all contact/disc
-fix cell wall couette/2d center 0 0 inner rough inner 0.02 outer rough outer 0.045 omega_inner 5
 timestep 2e-5
+)";
+const std::string wheel =
+    "fix cell wall couette/2d center 0 0 inner rough inner 0.02 outer rough outer 0.045 omega_inner 5\n";
+const std::string discs_in_a_periodic_box = R"(
+dimension 2
+boundary p p p
+region box block -0.02 0.02 -0.015 0.015 -0.001 0.001 units box
+create_box 4 box
+create_discs box -0.02 0.02 -0.015 0.015 seed 3 density 6 velocity 1 discs 28 1 0.0022 discs 4 2 0.003
+group wall type 3 4
+group free type 1 2
 )";
 
 Numbers numbers_of(const Particle& d) {
@@ -82,10 +92,11 @@ std::map<std::int64_t, Content> contents(const FrameSource& source) {
 
 }  // namespace
 
-const std::string turning_cell = before_the_box + discs_between_rings + styles;
+const std::string turning_cell = before_the_box + discs_between_rings + styles + wheel;
+const std::string periodic_box = before_the_box + discs_in_a_periodic_box + styles;
 
 std::string turning_cell_from(const std::string& restart_file) {
-  return before_the_box + "read_restart " + restart_file + "\n" + styles;
+  return before_the_box + "read_restart " + restart_file + "\n" + styles + wheel;
 }
 
 SnapshotOfARun::SnapshotOfARun() : folder_(testing::TempDir() + "snapshot" + std::to_string(getpid())) {

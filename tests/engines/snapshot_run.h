@@ -16,6 +16,9 @@ namespace mikromakro::test {
 extern const std::string turning_cell;
 std::string turning_cell_from(const std::string& restart_file);
 
+/// 32 discs that fly about in a box of 0.04 by 0.03 m, periodic along both axes.
+extern const std::string periodic_box;
+
 using Numbers = std::vector<double>;
 
 // Every number of a frame; contacts have no order of their own.

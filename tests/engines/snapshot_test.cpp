@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <numbers>
+#include <sstream>
 
 #include "io/hdf5_file.h"
 #include "snapshot_run.h"
@@ -140,6 +143,44 @@ TEST_P(OnRanks, AveragesAreThoseOfTheProgramToTheLastBit) {
   EXPECT_EQ(table("r_120.csv"), table("second.csv"));
   EXPECT_EQ(table("g.csv"), table("grid.csv"));
   EXPECT_NE(text("r_120.csv").find("# frames: 3, steps 80 to 120\n"), std::string::npos);
+}
+
+// Discs and contacts across the boundaries count on both sides of them. nu of the whole box is that of all
+// discs.
+TEST_P(OnRanks, AveragesInAPeriodicBoxAreThoseOfTheProgramToTheLastBit) {
+  const std::string box = "box -0.02 0.02 -0.015 0.015 kn 400 branch contact";
+  const std::string rings = "rings 0 0.016 4 center -0.02 0.015 kn 400";
+  const std::string grid = "grid -0.02 0.02 4 -0.015 0.015 3 weight gauss:0.003 kn 400";
+  run(periodic_box + "fix s all snapshot/disc 20 file s.h5\n" +
+          fmt::format(
+              "fix b all ave/micromacro 20 60 file b.csv {}\nfix r all ave/micromacro 20 60 file r.csv {}\n"
+              "fix g all ave/micromacro 20 60 file g.csv {}\nrun 480\n",
+              box, rings, grid),
+      GetParam());
+  average("--steps 20:480 --box -0.02 0.02 -0.015 0.015 --kn 400 --branch contact", "box.csv");
+  average("--steps 20:480 --rings 0 0.016 4 --center -0.02 0.015 --kn 400", "rings.csv");
+  average("--steps 20:480 --grid -0.02 0.02 4 -0.015 0.015 3 --weight gauss:0.003 --kn 400", "grid.csv");
+  EXPECT_EQ(table("b.csv"), table("box.csv"));
+  EXPECT_EQ(table("r.csv"), table("rings.csv"));
+  EXPECT_EQ(table("g.csv"), table("grid.csv"));
+  double squares = 0;
+  std::ptrdiff_t across = 0;
+  const auto frames = snapshots();
+  for (const Numbers& disc : frames.at(480).discs) squares += disc[4] * disc[4];
+  // The place of disc 2 in its row is that of the image that touches.
+  for (const auto& [step, frame] : frames) {
+    const auto& discs = frame.discs;
+    across += std::count_if(frame.contacts.begin(), frame.contacts.end(), [&](const Numbers& row) {
+      const Numbers& second = discs.at(static_cast<std::size_t>(row[1]) - 1);
+      return std::hypot(row[4] - second[2], row[5] - second[3]) > 0.01;
+    });
+  }
+  EXPECT_GT(across, 5);
+  const std::string rows = table("b.csv");
+  std::istringstream numbers(rows.substr(rows.find('\n') + 1));
+  double nu = 0;
+  for (int column = 0; column <= 6; ++column) (numbers >> nu).ignore(1);
+  EXPECT_NEAR(nu, std::numbers::pi * squares / (0.04 * 0.03), 1e-14);
 }
 
 INSTANTIATE_TEST_SUITE_P(Program, OnRanks, testing::Values(1, 2));

@@ -81,7 +81,7 @@ TEST(WallDisc, FourPlanesAreTheBoxOfBiaxial) {
   const auto discs = engine.discs();
   const auto contacts = engine.contacts();
   const double work = engine.fix("box").compute_scalar();
-  ASSERT_GT(contacts.size(), 20U);
+  ASSERT_GT(contacts.size(), 4U);
   Engine other;
   other.run(bouncing(four_planes) + "run 1500\n");
   expect_same(other, discs, contacts);
@@ -140,8 +140,9 @@ TEST(WallDisc, MovingPlaneGivesTheEnergyThatItsWorkIs) {
   }
   // The disc has the impulse sum of f dt, the wall the work V sum of f dt: what differs is V against the mean
   // velocity of the disc, which the elastic rebound gets right to the onset and release within a step.
-  EXPECT_LT(errors[0], 2e-3);
-  EXPECT_LT(errors[1], 2e-4);
+  std::printf("work off by %.1e of the energy at t_c/69, %.1e at t_c/278\n", errors[0], errors[1]);
+  EXPECT_LT(errors[0], 3e-4);
+  EXPECT_LT(errors[1], 2e-5);
 }
 
 // A belt under a disc: a plane that moves along itself drags the disc with mu m g, until the disc's rim moves
@@ -157,18 +158,25 @@ TEST(WallDisc, BeltDragsADiscUntilItRolls) {
   EXPECT_NEAR(d.v_x, speed / (1 + 2 * arm * arm / (a * a)), 1e-8);
 }
 
-// What walls give is what the account finds: dt^2 of Verlet and the trapezium.
-TEST(WallDisc, WorkBalancesTheAccountOfEnergy) {
+/// What the account of energy gains beyond the work of the walls within 0.12 s, over what there was.
+double unaccounted_energy(double dt) {
   Engine engine;
-  engine.run(box(springs) + discs_in_box + integrate + four_planes + "fix energy all energy/disc\nrun 0\n");
+  engine.run(box(springs) + discs_in_box + integrate + fmt::format("timestep {}\n", dt) + four_planes +
+             "fix energy all energy/disc\nrun 0\n");
   const double before = engine.fix("energy").compute_scalar();
-  engine.run("run 3000\n");
+  engine.run(fmt::format("run {}\n", std::lround(0.12 / dt)));
   double work = 0;
   for (const auto* id : {"left", "right", "bottom", "top"}) work += engine.fix(id).compute_scalar();
-  const double gained = engine.fix("energy").compute_scalar() - before;
-  std::printf("work %.6e J, gained %.6e J of %.6e J\n", work, gained, before);
-  ASSERT_GT(std::abs(work), 1e-3 * before);
-  EXPECT_NEAR(gained, work, 2e-3 * before);
+  EXPECT_GT(std::abs(work), 0.03 * before);
+  return (engine.fix("energy").compute_scalar() - before - work) / before;
+}
+
+// Verlet and the trapezium: (omega dt)^2/12 = 3e-4 for an impact at t_c/53, of which a disc has several.
+TEST(WallDisc, WorkBalancesTheAccountOfEnergy) {
+  const double coarse = unaccounted_energy(4e-5), fine = unaccounted_energy(1e-5);
+  std::printf("off by %.1e of the energy at t_c/53, %.1e at t_c/213\n", coarse, fine);
+  EXPECT_LT(std::abs(coarse), 2e-3);
+  EXPECT_LT(std::abs(fine), 1.5e-4);
 }
 
 TEST(WallDisc, IdsFollowTheOrderOfTheFixes) {

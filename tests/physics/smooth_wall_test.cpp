@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace mikromakro::physics {
 namespace {
 
@@ -20,6 +22,16 @@ SmoothWall circle(WallShape shape, PlaneVector centre, double radius) {
   wall.point = centre;
   wall.radius = radius;
   return wall;
+}
+
+// All points of the circle are equally near: the distance is the radius, and a normal is a unit vector.
+TEST(NearestPoint, OfACircleFromItsCentre) {
+  for (const auto shape : {WallShape::circle_around, WallShape::circle_within}) {
+    const auto at = nearest_point(circle(shape, {3, 4}, 0.5), {3, 4});
+    EXPECT_EQ(std::abs(at.distance), 0.5);
+    EXPECT_EQ(std::hypot(at.normal.x, at.normal.y), 1);
+    EXPECT_EQ(std::hypot(at.place.x - 3, at.place.y - 4), 0.5);
+  }
 }
 
 TEST(NearestPoint, OfAFlatWall) {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "audit/contact_balance.h"
+#include "audit/normal_forces.h"
 #include "audit/ring_balance.h"
 #include "measured_error.h"
 #include "ring_average.h"
@@ -50,6 +51,47 @@ TEST(ContactBalance, TorqueOnTheWheelAsWorkedByHand) {
   nothing.add(frame);
   EXPECT_TRUE(std::isnan(nothing.wheel_torque()));
   EXPECT_TRUE(std::isnan(nothing.force_residual()));
+}
+
+// The same pair around the corner of a periodic box of 10 m: the free disc at x = 5 is at -5 or 15, and 20 m
+// up.
+TEST(ContactBalance, TorqueOnAWheelInAPeriodicBoxIsThatOfTheImageBesideIt) {
+  Frame frame;
+  frame.box = {{-5, -5}, {5, 5}, {true, true}};
+  for (const Eigen::Vector2d& place : {Eigen::Vector2d(5, 0), {-5, 0}, {15, 20}}) {
+    frame.particles = {make_disc(1, {3.3, 0}, 0.9, 3), make_disc(2, place, 1, 1)};
+    frame.contacts = {contact_between(0, 1, {1, 0}, {-7, 2})};
+    ContactBalance balance({{1, 0}, {1}, {3}});
+    balance.add(frame);
+    expect_measured(balance.wheel_torque(), 6.2, rounding);
+  }
+}
+
+// Overlaps of 0.2 and k_n = 50: 10 N each. Forces of 10 and 13 N: deviation 3/20, slope 23/0.4; tangential
+// forces and walls do not count. Doubled, reversed, one of them reversed: 26/20, 43/20, 23/20.
+TEST(NormalForces, BesideOverlapsAsWorkedByHand) {
+  const auto forces = [](double first, double second, double k_n) {
+    Frame frame;
+    for (int i = 0; i < 3; ++i) frame.particles.push_back(make_disc(i + 1, {1.8 * i, 0}, 1));
+    frame.contacts = {contact_between(0, 1, {1, 0}, {-first, 5}), contact_between(1, 2, {0, 1}, {3, -second}),
+                      contact_between(2, -1, {1, 0}, {-1000, 0})};
+    NormalForces sums(k_n);
+    sums.add(frame);
+    return sums;
+  };
+  expect_measured(forces(10, 10, 50).deviation(), 0, rounding);
+  expect_measured(forces(10, 13, 50).deviation(), 0.15, rounding);
+  expect_measured(forces(10, 13, 50).stiffness(), 57.5, rounding);
+  expect_measured(forces(20, 26, 50).deviation(), 1.3, rounding);
+  expect_measured(forces(-10, -13, 50).deviation(), 2.15, rounding);
+  expect_measured(forces(-10, 13, 50).deviation(), 1.15, rounding);
+  expect_measured(forces(-10, 13, 50).pulling(), 10.0 / 23, rounding);
+  expect_measured(forces(-10, -13, 50).pulling(), 1, rounding);
+  const double unknown = std::nan("");
+  EXPECT_FALSE(forces(10, 10, unknown).stiffness_is_known());
+  expect_measured(forces(10, 10, unknown).stiffness(), 50, rounding);
+  EXPECT_TRUE(std::isnan(NormalForces(50).deviation()));
+  EXPECT_TRUE(std::isnan(NormalForces(50).stiffness()));
 }
 
 // Three discs in a row, forces 10 and 4 between them: sums 10, 6 and 4, mean 20/3; each force belongs to two

@@ -16,6 +16,24 @@ namespace {
 constexpr double rounding = 1e-14;
 constexpr double h = 0.5;
 
+BoxBalance balance_of(const Frame& frame, const std::vector<int>& bulk_types) {
+  const Rectangle box = wall_rectangle(frame);
+  AverageSetup setup;
+  setup.weight = "centre";
+  setup.options = {bulk_types, Branch::contact};
+  setup.fields = {"stress"};
+  const VolumeAverage average(
+      frame,
+      std::make_unique<const GridVolumes>(std::vector<double>{box.low[0], box.high[0]},
+                                          std::vector<double>{box.low[1], box.high[1]}, h),
+      setup);
+  Eigen::Matrix2d stress;
+  stress << average.at("sigma_xx"), average.at("sigma_xy"), average.at("sigma_yx"), average.at("sigma_yy");
+  BoxBalance balance;
+  balance.add(box, h, box.size().prod() * h * stress, box_load(frame, box, bulk_types));
+  return balance;
+}
+
 // Two by two discs of radius 1 at (+-0.95, +-0.95) between walls at +-1.85, all overlaps 0.1. Each row
 // carries 2 N from wall to wall, each column 3 N, and every face a shear force: faces with the outward normal
 // x feel `shear` along y, faces with the normal y along x.
@@ -34,23 +52,7 @@ class Sample {
     }
   }
 
-  BoxBalance balance(const std::vector<int>& bulk_types = {}) const {
-    const Rectangle box = wall_rectangle(frame);
-    AverageSetup setup;
-    setup.weight = "centre";
-    setup.options = {bulk_types, Branch::contact};
-    setup.fields = {"stress"};
-    const VolumeAverage average(
-        frame,
-        std::make_unique<const GridVolumes>(std::vector<double>{box.low[0], box.high[0]},
-                                            std::vector<double>{box.low[1], box.high[1]}, h),
-        setup);
-    Eigen::Matrix2d stress;
-    stress << average.at("sigma_xx"), average.at("sigma_xy"), average.at("sigma_yx"), average.at("sigma_yy");
-    BoxBalance balance;
-    balance.add(box, h, box.size().prod() * h * stress, box_load(frame, box, bulk_types));
-    return balance;
-  }
+  BoxBalance balance(const std::vector<int>& bulk_types = {}) const { return balance_of(frame, bulk_types); }
 
   Frame frame;
 
@@ -142,6 +144,98 @@ TEST(BoxBalance, SeveralFramesAreMeans) {
   expect_measured(both.volume_stress()(0, 0), -4 / (3.7 * h) / 3, rounding);
   expect_measured(both.wall(0).stress[0], -8 / (2 * 3.7 * h), rounding);
   expect_measured(both.wall(2).stress[1], -12 / (3 * 3.7 * h), rounding);
+}
+
+// Two rows between bottom and top at +-1.85, periodic along x with 3.8 m: the discs at x = +-0.95 touch their
+// neighbours on both sides, each row carries 2 N, each column 3 N, and shear as above. sigma_xx = -2 rows * 2
+// N * 3.8 m/V, V = 3.8 * 3.7 h; the columns of the normal y are as before over the length 3.8.
+Frame between_two_walls(double shear) {
+  Frame frame = Sample(shear).frame;
+  frame.box = {{-1.9, -9}, {1.9, 9}, {true, false}};
+  // In place of left and right walls: disc 1 and 2, 3 and 4 through the boundary.
+  std::erase_if(frame.contacts, [](const Contact& c) { return c.id2 == -1 || c.id2 == -2; });
+  for (const int row : {0, 1}) {
+    Contact contact = frame.contacts[0];
+    contact.id1 = 2 * row + 2;
+    contact.id2 = 2 * row + 1;
+    contact.index1 = 2 * row + 1;
+    contact.index2 = 2 * row;
+    contact.force = {-2, shear};
+    frame.contacts.push_back(contact);
+  }
+  return frame;
+}
+
+TEST(BoxBalance, OfTwoWallsInAPeriodicBoxAsWorkedByHand) {
+  for (const double moved : {0.0, 0.97, -2.5}) {
+    Frame frame = between_two_walls(0.25);
+    for (Particle& particle : frame.particles) {
+      particle.position.x() += moved;
+      particle.position.x() -= 3.8 * std::floor((particle.position.x() + 1.9) / 3.8);
+    }
+    const Rectangle box = wall_rectangle(frame);
+    EXPECT_EQ(box.low.x(), -1.9);
+    expect_measured(box.high.y(), 1.85, rounding);
+    const BoxBalance balance = balance_of(frame, {});
+    const double h_x = 3.8 * h, h_y = 3.7 * h;
+    expect_measured(balance.volume_stress()(0, 0), -4 / h_y, rounding);
+    expect_measured(balance.volume_stress()(1, 1), -6 / h_x, rounding);
+    expect_measured(balance.boundary_stress()(0, 1), 0.5 / h_x, rounding);
+    expect_measured(balance.boundary_stress()(1, 1), -6 / h_x, rounding);
+    EXPECT_TRUE(std::isnan(balance.boundary_stress()(0, 0)) && std::isnan(balance.boundary_stress()(1, 0)));
+    EXPECT_TRUE(balance.is_open(0) && !balance.is_open(1));
+    EXPECT_TRUE(!balance.may_have_wall(0) && !balance.may_have_wall(1) && balance.may_have_wall(2));
+    expect_measured(balance.stress_deviation(), 0, rounding);
+    expect_measured(balance.wall_deviation(), 0, rounding);
+    expect_measured(balance.wall_residual(), 0, rounding);
+    expect_measured(disc_area_inside(frame, box, {}), 4 * std::numbers::pi, rounding);
+  }
+}
+
+TEST(BoxBalance, BesideWallsAPeriodicBoxIsBalancedAsAWhole) {
+  const Frame frame = between_two_walls(0);
+  EXPECT_THROW(box_load(frame, {{-1.8, -1.85}, {1.8, 1.85}}, {}), Error);
+  EXPECT_NO_THROW(box_load(frame, {{0, -1.85}, {3.8, 1.85}}, {}));
+}
+
+TEST(BoxBalance, OfAPeriodicBoxHasNoBoundary) {
+  Frame frame = between_two_walls(0.25);
+  frame.box = {{-1.9, -1.9}, {1.9, 1.9}, {true, true}};
+  std::erase_if(frame.contacts, [](const Contact& c) { return c.with_wall(); });
+  for (const int column : {0, 1}) {
+    Contact contact = frame.contacts[0];
+    contact.id1 = column + 3;
+    contact.id2 = column + 1;
+    contact.index1 = column + 2;
+    contact.index2 = column;
+    contact.normal = {0, 1};
+    contact.force = {0.25, -3};
+    frame.contacts.push_back(contact);
+  }
+  const Rectangle box = wall_rectangle(frame);
+  EXPECT_EQ(box.high.y(), 1.9);
+  const BoxBalance balance = balance_of(frame, {});
+  expect_measured(balance.volume_stress()(1, 1), -6 / (3.8 * h), rounding);
+  EXPECT_TRUE(balance.is_open(0) && balance.is_open(1));
+  EXPECT_FALSE(balance.has_boundary());
+  EXPECT_FALSE(balance.has_walls());
+}
+
+// Walls on all sides within a box that is called periodic: nothing crosses, and all is as without.
+TEST(BoxBalance, OfWallsWithinAPeriodicBoxIsThatOfTheWalls) {
+  Sample sample(0.25);
+  sample.frame.box = {{-9, -9}, {9, 9}, {true, true}};
+  expect_measured(sample.balance().stress_deviation(), 0, rounding);
+  expect_measured(sample.balance().wall_deviation(), 0, rounding);
+  EXPECT_TRUE(sample.balance().may_have_wall(0));
+}
+
+TEST(BoxBalance, BoundariesThatChangeAreAnError) {
+  const Frame frame = Sample(0).frame;
+  BoxBalance balance = balance_of(frame, {});
+  BoxLoad load = box_load(frame, wall_rectangle(frame), {});
+  load.periodic = {true, false};
+  EXPECT_THROW(balance.add(wall_rectangle(frame), h, Eigen::Matrix2d::Zero(), load), Error);
 }
 
 TEST(WallRectangle, NeedsAllFourWallsInTheirOrder) {

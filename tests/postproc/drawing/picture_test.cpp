@@ -73,6 +73,30 @@ TEST(PictureSvg, HasEveryDiscAndEveryContactOnce) {
   EXPECT_TRUE(svg == picture(style, Canvas::Kind::svg));
 }
 
+// A box of 6 m, periodic along x, of -0.5 to 5.5: disc 1 (-1 to 1) is cut at the left edge and goes on at the
+// right one, as disc 3 does, and so does the line between the two of them: 4 discs and lines on either side
+// of the boundary.
+TEST(PictureSvg, DiscsAndContactsGoOnBeyondAPeriodicBoundary) {
+  PictureStyle style;
+  style.network = true;
+  Frame frame = three_discs();
+  frame.box = {{-0.5, -9}, {5.5, 9}, {true, false}};
+  frame.contacts.push_back({3, 1, 2, 0, {1, 0}, 0, {-1, 0}, 0});
+  PictureScales scales;
+  scales.add(frame, style);
+  EXPECT_EQ(scales.window->low, Eigen::Vector2d(-0.5, -1));
+  EXPECT_EQ(scales.window->high, Eigen::Vector2d(5.5, 1));
+  const std::string svg = draw_picture(frame, style, scales, Canvas::Kind::svg);
+  EXPECT_EQ(count(svg, "stroke:rgb(0%,0%,0%);stroke-opacity:0.4;"), 4U);
+  EXPECT_EQ(count(svg, "stroke:rgb(15%,15%,15%)"), 4U);
+  // A disc that lies a period beside the window is in it all the same.
+  frame.particles[1].position.x() += 6;
+  frame.contacts.clear();
+  EXPECT_EQ(count(draw_picture(frame, style, scales, Canvas::Kind::svg),
+                  "stroke:rgb(0%,0%,0%);stroke-opacity:0.4;"),
+            4U);
+}
+
 // Chains are as wide as their forces: 3 N and 1 N with a mean of 2 N, radius r pixels: 0.2 r 3/2 and 0.2 r/2.
 TEST(PictureSvg, ChainsAreAsWideAsTheirForces) {
   PictureStyle style;

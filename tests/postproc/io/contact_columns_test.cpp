@@ -1,5 +1,5 @@
-// What the columns of a contact dump may be called, and that each name acts: a number that is changed under it
-// changes the contacts, is refused, or comes out of `convert`.
+// What the columns of a contact dump may be called, and that each name acts: a number that is changed under
+// it changes the contacts, is refused, or comes out of `convert`.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -18,17 +18,18 @@ namespace {
 
 using Numbers = std::map<std::string, std::string>;
 
-// Discs of radius 0.5 at (1, 1) and (1.54, 1.72), 0.9 apart along n = (0.6, 0.8), t = (-0.8, 0.6): overlap 0.1,
-// f = -10 n + 1 t; shear = 2e-6 t. Disc 1 touches mesh 0, which lies 0.48 below it.
+// Discs of radius 0.5 at (1, 1) and (1.54, 1.72), 0.9 apart along n = (0.6, 0.8), t = (-0.8, 0.6): overlap
+// 0.1, f = -10 n + 1 t; shear = 2e-6 t. Disc 1 touches mesh 0, which lies 0.48 below it.
 const std::string particles =
     "ITEM: TIMESTEP\n100\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff pp\n0 5\n0 5\n-1 1\n"
     "ITEM: ATOMS id type x y radius\n1 1 1 1 0.5\n2 1 1.54 1.72 0.5\n";
-const Numbers of_pair = {{"id1", "1"},        {"id2", "2"},          {"x1", "1"},         {"y1", "1"},  {"x2", "1.54"},
-                         {"y2", "1.72"},      {"nx", "0.6"},         {"ny", "0.8"},       {"fx", "-6.8"}, {"fy", "-7.4"},
-                         {"fn", "10"},        {"ft", "1"},           {"overlap", "0.1"},  {"vn", "3"},  {"vt", "4"},
-                         {"xi", "2e-6"},      {"periodic", "0"},     {"dist", "0.9"},     {"z1", "0"},  {"z2", "0"},
-                         {"shearx", "-1.6e-6"}, {"sheary", "1.2e-6"}, {"shearz", "0"},    {"fz", "0"},  {"ftx", "0"},
-                         {"fty", "0"},        {"ftz", "0"}};
+const Numbers of_pair = {{"id1", "1"},          {"id2", "2"},         {"x1", "1"},     {"y1", "1"},
+                         {"x2", "1.54"},        {"y2", "1.72"},       {"nx", "0.6"},   {"ny", "0.8"},
+                         {"fx", "-6.8"},        {"fy", "-7.4"},       {"fn", "10"},    {"ft", "1"},
+                         {"overlap", "0.1"},    {"vn", "3"},          {"vt", "4"},     {"xi", "2e-6"},
+                         {"periodic", "0"},     {"dist", "0.9"},      {"z1", "0"},     {"z2", "0"},
+                         {"shearx", "-1.6e-6"}, {"sheary", "1.2e-6"}, {"shearz", "0"}, {"fz", "0"},
+                         {"ftx", "0"},          {"fty", "0"},         {"ftz", "0"}};
 
 std::string dump(const std::vector<std::string>& names, const Numbers& numbers) {
   std::vector<std::string> row;
@@ -72,7 +73,8 @@ std::string read(const Given& given) {
                             contact.normal.x(), contact.normal.y(), contact.overlap, contact.force.x(),
                             contact.force.y(), contact.spring);
     if (given.all_columns)
-      for (const ContactRow& row : stream.raw().contacts.rows) text += fmt::format(" {}", fmt::join(row.value, " "));
+      for (const ContactRow& row : stream.raw().contacts.rows)
+        text += fmt::format(" {}", fmt::join(row.value, " "));
     return text;
   } catch (const Error& error) {
     return error.what();
@@ -140,13 +142,25 @@ TEST(ContactColumns, ThatTellTheSameTwiceMustAgree) {
     EXPECT_EQ(read(given), right);
     given.numbers.at(name) = "2";
     EXPECT_NE(read(given).find("is not that of fx fy"), std::string::npos) << read(given);
+    given.names.erase(given.names.end() - 2);
+    EXPECT_NE(read(given).find("is not that of fx fy"), std::string::npos) << read(given);
   }
 }
 
+TEST(ContactColumns, ThatTellNothingAloneAreRefused) {
+  for (const std::string name :
+       {"nx", "ny", "x1", "y2", "z1", "shearx", "sheary", "shearz", "ftx", "fty", "ftz"}) {
+    const std::string text = read({{"id1", "id2", "fx", "fy", name}});
+    EXPECT_NE(text.find("columns are missing (name them with --contact-columns)"), std::string::npos) << text;
+  }
+  EXPECT_NE(read({{"id1", "id2", "fn", "ft", "fz"}}).find("expected fx fy"), std::string::npos);
+  EXPECT_NE(read({{"id1", "id2", "fx", "fy", "xi", "shearx", "sheary"}}).find("twice"), std::string::npos);
+}
+
 TEST(ContactColumns, PresetsKnowTheComputesOfTheEnginesByTheirNumberOfColumns) {
-  const std::vector<std::string> place = {"x1", "y1", "z1", "x2", "y2", "z2"}, id = {"id1", "id2", "periodic"},
-                                 force = {"fx", "fy", "fz"}, shear = {"shearx", "sheary", "shearz"},
-                                 skip(3, "-");
+  const std::vector<std::string> place = {"x1", "y1", "z1", "x2", "y2", "z2"},
+                                 id = {"id1", "id2", "periodic"}, force = {"fx", "fy", "fz"},
+                                 shear = {"shearx", "sheary", "shearz"}, skip(3, "-");
   const auto joined = [](const std::vector<std::vector<std::string>>& parts) {
     std::vector<std::string> all;
     for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
@@ -184,14 +198,17 @@ TEST(ContactColumns, TheGranularStylesOfLammpsTellTangentialForcesApart) {
 }
 
 TEST(ContactColumns, RowsOfMeshesAreWalls) {
-  const std::vector<std::string> names = {"x2", "y2", "z2", "x1", "y1", "z1", "mesh", "-", "id1", "fx", "fy", "fz"};
-  const Numbers at_mesh = {{"x2", "1"}, {"y2", "0.52"}, {"z2", "0"}, {"x1", "1"}, {"y1", "1"}, {"z1", "0"},
-                           {"mesh", "0"}, {"id1", "1"}, {"fx", "0"}, {"fy", "2"}, {"fz", "0"}};
+  const std::vector<std::string> names = {"x2",   "y2", "z2",  "x1", "y1", "z1",
+                                          "mesh", "-",  "id1", "fx", "fy", "fz"};
+  const Numbers at_mesh = {{"x2", "1"},   {"y2", "0.52"}, {"z2", "0"}, {"x1", "1"}, {"y1", "1"}, {"z1", "0"},
+                           {"mesh", "0"}, {"id1", "1"},   {"fx", "0"}, {"fy", "2"}, {"fz", "0"}};
   const std::string wall = "1 -1001 0 -1 0.02 0 2 nan;";
   EXPECT_EQ(read({{}, {}, names, at_mesh}), wall);
   // Beside the rows of discs, which have other columns.
-  EXPECT_EQ(read({{"id1", "id2", "nx", "ny", "overlap", "fx", "fy", "xi"}, of_pair, names, at_mesh}), right + wall);
-  for (const auto& [name, number] : Numbers{{"mesh", "2"}, {"id1", "2"}, {"x2", "1.1"}, {"y1", "1.1"}, {"z2", "0.3"}}) {
+  EXPECT_EQ(read({{"id1", "id2", "nx", "ny", "overlap", "fx", "fy", "xi"}, of_pair, names, at_mesh}),
+            right + wall);
+  for (const auto& [name, number] :
+       Numbers{{"mesh", "2"}, {"id1", "2"}, {"x2", "1.1"}, {"y1", "1.1"}, {"z2", "0.3"}}) {
     Numbers changed = at_mesh;
     changed[name] = number;
     EXPECT_NE(read({{}, {}, names, changed}), wall) << name;

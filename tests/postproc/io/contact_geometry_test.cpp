@@ -98,7 +98,9 @@ TEST(JoinContacts, StockRowsMarkedPeriodicHaveWrappedPositions) {
     add_row(rows, {{id1, 1}, {id2, 2}, {x1, 9.5}, {y1, 5}, {x2, 0.25}, {y2, 5}, {periodic, flag}});
     const auto contacts = join_all(rows, discs, box_of_ten(true));
     ASSERT_EQ(contacts.size(), flag == 1 ? 1U : 0U);
-    if (flag == 1) EXPECT_DOUBLE_EQ(contacts[0].normal[0], 1);
+    if (flag == 1) {
+      EXPECT_DOUBLE_EQ(contacts[0].normal[0], 1);
+    }
   }
 }
 
@@ -140,7 +142,8 @@ TEST(JoinContacts, PlacesOfARowAreThoseOfItsDiscsOrTheirImages) {
   }
 }
 
-// One disc displaced by a fifth of the smaller radius in one of the two dumps, along the contact and across it.
+// One disc displaced by a fifth of the smaller radius in one of the two dumps, along the contact and across
+// it.
 TEST(JoinContacts, SeesADiscThatIsElsewhereInOneOfTheDumps) {
   const std::vector<Value> geometry = {{id1, 900}, {id2, 4}, {nx, 0.6}, {ny, 0.8}, {overlap, 0.25}};
   EXPECT_EQ(refusal(geometry), "");
@@ -152,7 +155,8 @@ TEST(JoinContacts, SeesADiscThatIsElsewhereInOneOfTheDumps) {
 }
 
 TEST(JoinContacts, NormalOverlapAndDistanceAreThoseOfTheDiscs) {
-  EXPECT_NE(refusal({{id1, 900}, {id2, 4}, {nx, -0.6}, {ny, -0.8}}).find("nx ny = 0.6 0.8"), std::string::npos);
+  EXPECT_NE(refusal({{id1, 900}, {id2, 4}, {nx, -0.6}, {ny, -0.8}}).find("nx ny = 0.6 0.8"),
+            std::string::npos);
   EXPECT_NE(refusal({{id1, 900}, {id2, 4}, {overlap, 0.251}}).find("overlap is not"), std::string::npos);
   EXPECT_NE(refusal({{id1, 900}, {id2, 4}, {overlap, -1e308}}).find("overlap is not"), std::string::npos);
   EXPECT_NE(refusal({{id1, 900}, {id2, 4}, {dist, 1.251}}).find("dist is not"), std::string::npos);
@@ -184,7 +188,8 @@ TEST(JoinContacts, DiscsThatDoNotTouchAreNoContactUnlessTheUserSaysSo) {
 TEST(JoinContacts, PeriodicIsAFlagOfAPeriodicBox) {
   const std::vector<Value> row = {{id1, 900}, {id2, 4}, {periodic, 1}};
   EXPECT_NE(refusal(row).find("a periodic box in the dump of particles"), std::string::npos);
-  EXPECT_NE(refusal({{id1, 900}, {id2, 4}, {periodic, 2}}, two_discs, true).find("0 or 1"), std::string::npos);
+  EXPECT_NE(refusal({{id1, 900}, {id2, 4}, {periodic, 2}}, two_discs, true).find("0 or 1"),
+            std::string::npos);
 }
 
 // n = (0.6, 0.8), t = (-0.8, 0.6): f = -10 n + 1 t; shear = 3e-6 t + 1e-6 n.
@@ -198,8 +203,8 @@ TEST(JoinContacts, TakesForceAndSpringFromWhatIsGiven) {
 }
 
 TEST(JoinContacts, ADiscAtAWallIsWhereTheRowSays) {
-  const std::vector<Value> right = {{id1, 900}, {id2, -1}, {x1, 1}, {y1, 1}, {x2, 0.7}, {y2, 1}, {nx, -1}, {ny, 0},
-                                    {overlap, 0.2}};
+  const std::vector<Value> right = {{id1, 900}, {id2, -1}, {x1, 1}, {y1, 1},       {x2, 0.7},
+                                    {y2, 1},    {nx, -1},  {ny, 0}, {overlap, 0.2}};
   EXPECT_EQ(refusal(right), "");
   for (const auto& [index, value] : {std::pair{2U, 1.1}, {4U, 0.8}, {6U, 1.0}, {8U, 0.3}}) {
     auto wrong = right;

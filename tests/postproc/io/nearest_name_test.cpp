@@ -23,6 +23,11 @@ TEST(NearestName, IsTheOneThatWasMeant) {
   EXPECT_EQ(nearest_name("spn", names), "spin");
 }
 
+TEST(NearestName, MayBeLeftUnfinished) {
+  EXPECT_EQ(nearest_name("solid_fr", names), "solid_fraction");
+  EXPECT_EQ(nearest_name("so", names), "");
+}
+
 // A third of the letters of 'mass' is one, and three would have to change.
 TEST(NearestName, IsNoneWhereNothingIsNear) {
   EXPECT_EQ(nearest_name("mass", names), "");

@@ -1,0 +1,112 @@
+#include "app/dump_summary.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "io/particle_reader.h"
+#include "io/units.h"
+
+namespace mikromakro {
+namespace {
+
+void add_particles(const ParticleRows& rows, DumpSummary& summary) {
+  summary.counts_by_type.clear();
+  const bool with_types = (rows.given & column_set(ParticleColumn::type)) != 0;
+  for (const Particle& particle : rows.particles) {
+    if (with_types) ++summary.counts_by_type[particle.type];
+    summary.smallest_radius = std::min(summary.smallest_radius, particle.radius);
+    summary.largest_radius = std::max(summary.largest_radius, particle.radius);
+  }
+}
+
+// A dump that lacks what averages need is told about all the same.
+bool has_discs(const DumpHeader& header, const std::vector<std::string>& list, const std::string& file) {
+  if (!header.of_particles() || (header.columns.empty() && list.empty())) return false;
+  const ParticleColumns columns(header, list, {file, header.line});
+  return (particle_base_columns & ~columns.map().given) == 0;
+}
+
+void add_frame(const RowBlock& rows, DumpSummary& summary) {
+  const DumpHeader& header = rows.header;
+  if (summary.frames++ == 0) summary.first_step = header.step;
+  summary.last_step = header.step;
+  summary.fewest_rows = std::min(summary.fewest_rows, header.rows);
+  summary.most_rows = std::max(summary.most_rows, header.rows);
+  summary.last = header;
+}
+
+std::string periodic_text(const Box& box) {
+  return std::string(box.periodic[0] ? "x" : "") + (box.periodic[1] ? "y" : "");
+}
+
+std::string boundaries_text(const Box& box) {
+  if (!box.boundaries_known) return "not said";
+  return periodic_text(box).empty() ? "no" : periodic_text(box);
+}
+
+}  // namespace
+
+DumpSummary summarise_dump(const std::string& file, const std::vector<std::string>& particle_columns,
+                           Notes& notes) {
+  DumpReader dump(file);
+  DumpSummary summary;
+  for (DumpHeader header; dump.next_header(header);) {
+    const auto rows = dump.take_rows(header);
+    if (!rows) break;
+    if (summary.frames > 0 && header.step <= summary.last_step)
+      notes.add(file + ": steps come again", header.step);
+    add_frame(*rows, summary);
+    if (has_discs(header, particle_columns, file))
+      add_particles(read_particles(*rows, particle_columns, 0), summary);
+  }
+  if (dump.cut()) notes.add(file + ": the compressed file is cut: only its complete frames count");
+  if (summary.last.units.empty()) return summary;
+  const Units units = units_of(summary.last.units, {file});
+  convert(units, summary.last.box);
+  summary.smallest_radius *= units.length;
+  summary.largest_radius *= units.length;
+  if (const std::string text = units_note(summary.last.units); !text.empty())
+    notes.add(fmt::format("{}: {}", file, text));
+  return summary;
+}
+
+JsonObject dump_json(const std::string& file, const DumpSummary& summary) {
+  const DumpHeader& last = summary.last;
+  JsonObject json;
+  json.add("file", file);
+  json.add("kind", last.of_particles() ? "particles" : "contacts");
+  json.add("frames", summary.frames);
+  json.add("first_step", summary.first_step);
+  json.add("last_step", summary.last_step);
+  json.add("fewest_rows", summary.fewest_rows);
+  json.add("most_rows", summary.most_rows);
+  json.add("columns", last.columns);
+  if (!last.units.empty()) json.add("units", last.units);
+  json.add("box", std::vector<double>{last.box.low[0], last.box.high[0], last.box.low[1], last.box.high[1]});
+  json.add("periodic", periodic_text(last.box));
+  if (summary.largest_radius == 0) return json;
+  JsonObject types;
+  for (const auto& [type, count] : summary.counts_by_type) types.add(fmt::format("{}", type), count);
+  json.add("types", types);
+  json.add("radius", std::vector<double>{summary.smallest_radius, summary.largest_radius});
+  return json;
+}
+
+void print_dump(const std::string& file, const DumpSummary& summary) {
+  const DumpHeader& last = summary.last;
+  const std::string_view metre = last.units == "lj" ? "" : " m";
+  fmt::print("{}: {} (text dump)\n", file, last.of_particles() ? "particles" : "contacts");
+  fmt::print("  frames   {} (steps {} to {})\n", summary.frames, summary.first_step, summary.last_step);
+  fmt::print("  rows     {} to {} per frame\n", summary.fewest_rows, summary.most_rows);
+  fmt::print("  columns  {}\n", fmt::join(last.columns, " "));
+  if (!last.units.empty()) fmt::print("  units    {}\n", last.units);
+  fmt::print("  box      x {} to {}{}, y {} to {}{}, periodic: {}\n", last.box.low[0], last.box.high[0],
+             metre, last.box.low[1], last.box.high[1], metre, boundaries_text(last.box));
+  for (const auto& [type, count] : summary.counts_by_type) fmt::print("  type {}   {} discs\n", type, count);
+  if (summary.largest_radius > 0)
+    fmt::print("  radius   {} to {}{}\n", summary.smallest_radius, summary.largest_radius, metre);
+}
+
+}  // namespace mikromakro

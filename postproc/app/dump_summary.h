@@ -1,0 +1,35 @@
+// What `info` tells about text dumps.
+#pragma once
+
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "io/dump_reader.h"
+#include "io/json_object.h"
+#include "io/notes.h"
+
+namespace mikromakro {
+
+/// Lengths in m where the file names units that have SI values.
+struct DumpSummary {
+  std::int64_t frames = 0;
+  std::int64_t first_step = 0;
+  std::int64_t last_step = 0;
+  std::int64_t fewest_rows = std::numeric_limits<std::int64_t>::max();
+  std::int64_t most_rows = 0;
+  DumpHeader last;
+  std::map<int, std::int64_t> counts_by_type;  ///< of the last frame; empty: no types
+  double smallest_radius = std::numeric_limits<double>::infinity();
+  double largest_radius = 0;  ///< 0: no radii
+};
+
+/// Reads the whole file; what its user must know goes to the notes.
+DumpSummary summarise_dump(const std::string& file, const std::vector<std::string>& particle_columns,
+                           Notes& notes);
+
+void print_dump(const std::string& file, const DumpSummary& summary);
+JsonObject dump_json(const std::string& file, const DumpSummary& summary);
+
+}  // namespace mikromakro
