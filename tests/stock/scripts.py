@@ -112,9 +112,9 @@ def expanded(lines, blocks):
 
 
 def own(lines, variant):
-    """Those that this law knows."""
-    is_ours = "disc/" in variant.pair
-    return [line.removeprefix("disc:").strip() for line in lines if is_ours or not line.startswith("disc:")]
+    """Those that are meant for this law."""
+    other, its = ("stock:", "disc:") if "disc/" in variant.pair else ("disc:", "stock:")
+    return [line.removeprefix(its).strip() for line in lines if not line.startswith(other)]
 
 
 def with_runs(row, variant):
@@ -143,6 +143,10 @@ def out_of(row, name, folder):
 
 
 def write_files(folder):
+    """Into a folder that no other run has left its files in."""
+    os.makedirs(folder, exist_ok=True)
+    if os.listdir(folder):
+        raise SystemExit(f"{folder}: expected an empty folder")
     for name, text in FILES.items():
         with open(os.path.join(folder, name), "w") as file:
             file.write(text)
