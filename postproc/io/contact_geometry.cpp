@@ -308,7 +308,9 @@ class Joiner {
 /// Springs pull back: -f_t xi > 0. A tangential force in their columns does not, and a frame full of contacts
 /// tells.
 void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>& contacts) {
-  if ((rows.given & column_set(shearx, sheary)) != column_set(shearx, sheary) || contacts.empty()) return;
+  constexpr std::size_t enough = 20;
+  if ((rows.given & column_set(shearx, sheary)) != column_set(shearx, sheary) || contacts.size() < enough)
+    return;
   double along = 0, all = 0;
   for (const Contact& contact : contacts) {
     const double work = contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x())) * contact.spring;

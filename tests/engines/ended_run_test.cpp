@@ -27,11 +27,12 @@ class EndedRun : public SnapshotOfARun {
 
   /// A run without an end, that has written some frames when this returns: mpirun, or the program.
   pid_t endless_run(int ranks) const {
-    const std::string line = command(turning_cell +
-                                         "restart 100 r.*.restart\nfix s all snapshot/disc 20 file s.h5\n"
-                                         "fix g all ave/micromacro 20 60 file g.csv rings 0.02 0.045 5 kn 400\n"
-                                         "run 10000000\n",
-                                     ranks);
+    const std::string line =
+        command(turning_cell +
+                    "restart 100 r.*.restart\nfix s all snapshot/disc 20 file s.h5\n"
+                    "fix g all ave/micromacro 20 60 file g.csv rings 0.02 0.045 5 kn 400\n"
+                    "run 10000000\n",
+                ranks);
     const pid_t process = fork();
     if (process == 0) {
       execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);

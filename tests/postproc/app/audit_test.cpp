@@ -54,9 +54,9 @@ TEST(Audit, BalancesOfABoxAsWorkedByHand) {
 TEST(Audit, OneWrongForceIsFound) {
   const Folder folder;
   std::string contacts = read_text(TEST_DATA "/good/box_contacts.dump");
-  const std::string right = "4 -2 0.95 0.95 1.85 0.95 1 0 0.1 -2 0.25";
+  const std::string right = "4 -2 0.95 0.95 1.85 0.95 1 0 0.1 -2 0.25 2 ";
   ASSERT_NE(contacts.rfind(right), std::string::npos);
-  contacts.replace(contacts.rfind(right), right.size(), "4 -2 0.95 0.95 1.85 0.95 1 0 0.1 -2.5 0.25");
+  contacts.replace(contacts.rfind(right), right.size(), "4 -2 0.95 0.95 1.85 0.95 1 0 0.1 -2.5 0.25 2.5 ");
   folder.write("contacts.dump", contacts);
   const Ran ran = run_program("audit --particles good/box_particles.dump --contacts '" +
                               folder.path("contacts.dump") + "' --height 0.5 --bound 1e-6");

@@ -14,7 +14,7 @@ dumps = ["--particles", "particles.dump", "--contacts", "contacts.dump"]
 with tempfile.TemporaryDirectory() as folder:
     names = [f"{folder}/a{ending}" for ending in (".csv", ".h5", ".vtkhdf", ".hdf")]
     outs = [word for name in names for word in ("--out", name)]
-    subprocess.run([program, "average", *dumps, "--rings", "0", "4", "2", "--bulk-types", "1", *outs], check=True)
+    subprocess.run([program, "average", *dumps, "--rings", "0", "4", "2", "--bulk-types", "1", "--height", "0.5", *outs], check=True)
     csv = pandas.read_csv(names[0], comment="#", float_precision="round_trip")
 
     with h5py.File(names[1]) as file:

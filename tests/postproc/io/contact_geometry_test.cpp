@@ -192,14 +192,20 @@ TEST(JoinContacts, PeriodicIsAFlagOfAPeriodicBox) {
             std::string::npos);
 }
 
-// n = (0.6, 0.8), t = (-0.8, 0.6): f = -10 n + 1 t; shear = 3e-6 t + 1e-6 n.
+// n = (0.6, 0.8), t = (-0.8, 0.6): f = -10 n + 1 t; shear = 3e-6 t.
 TEST(JoinContacts, TakesForceAndSpringFromWhatIsGiven) {
   ContactRows rows;
-  add_row(rows, {{id1, 900}, {id2, 4}, {fn, 10}, {ft, 1}, {shearx, -1.8e-6}, {sheary, 2.6e-6}});
+  add_row(rows, {{id1, 900}, {id2, 4}, {fn, 10}, {ft, 1}, {shearx, -2.4e-6}, {sheary, 1.8e-6}});
   const Contact contact = join_one(rows, two_discs, box_of_ten(false));
   EXPECT_NEAR(contact.force[0], -6.8, 1e-14);
   EXPECT_NEAR(contact.force[1], -7.4, 1e-14);
   EXPECT_NEAR(contact.spring, 3e-6, 1e-20);
+}
+
+// In the columns of a spring: a normal force, along n.
+TEST(JoinContacts, AForceAlongTheNormalIsNoSpring) {
+  EXPECT_NE(refusal({{id1, 900}, {id2, 4}, {fn, 10}, {ft, 1}, {shearx, -6}, {sheary, -8}}).find("no spring"),
+            std::string::npos);
 }
 
 TEST(JoinContacts, ADiscAtAWallIsWhereTheRowSays) {
