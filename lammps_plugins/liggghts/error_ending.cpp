@@ -6,8 +6,10 @@
 // first, as that of post_create() in registration.cpp.
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <string_view>
 
 #include "error.h"
 #include "universe.h"
@@ -15,7 +17,8 @@
 namespace {
 
 void spare_the_joke(const LAMMPS_NS::Universe& universe) {
-  if (char* name = std::strstr(universe.version, "PUBLIC")) std::memcpy(name, "Public", 6);
+  constexpr std::string_view shown = "Public";
+  if (char* name = std::strstr(universe.version, "PUBLIC")) std::copy(shown.begin(), shown.end(), name);
 }
 
 template <class... Arguments>
