@@ -10,7 +10,7 @@
 namespace mikromakro {
 namespace {
 
-using std::string_view_literals::operator""sv;
+using namespace std::string_view_literals;
 
 struct Kind {
   std::string_view begin;

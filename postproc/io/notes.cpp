@@ -42,6 +42,7 @@ std::vector<std::string> Notes::lines() const {
     by_step.emplace_back(counts.begin()->first, line_of(text, counts));
   std::sort(by_step.begin(), by_step.end());
   std::vector<std::string> all;
+  all.reserve(by_step.size());
   for (auto& [step, line] : by_step) all.push_back(std::move(line));
   return all;
 }
