@@ -2,8 +2,8 @@
 
 A row begins with '== NAME'. Its lines are those of a script; '{out}' in them is the beginning of names of files, whose
 '.txt' ones are compared as well; other words in braces stand for lines of scripts.py. A line that begins
-with 'liggghts:' or 'lammps:' is meant for one engine, one with 'disc:' or 'stock:' for one law. Lines that begin with '@' are
-about the row:
+with 'liggghts:' or 'lammps:' is meant for one engine, one with 'disc:' or 'stock:' for fix nve/disc or the stock
+integrator. Lines that begin with '@' are about the row:
 
     @about TEXT          for the manual
     @engines NAME        the other engine has no such style

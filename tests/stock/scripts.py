@@ -112,8 +112,9 @@ def expanded(lines, blocks):
 
 
 def own(lines, variant):
-    """Those that are meant for this law."""
-    other, its = ("stock:", "disc:") if "disc/" in variant.pair else ("disc:", "stock:")
+    """Those that are meant for this law, or rather for its integrator."""
+    is_ours = any("nve/disc" in line for line in variant.integrator)
+    other, its = ("stock:", "disc:") if is_ours else ("disc:", "stock:")
     return [line.removeprefix(its).strip() for line in lines if not line.startswith(other)]
 
 
