@@ -10,6 +10,10 @@
 namespace mikromakro {
 namespace {
 
+bool of_rings(const VolumeOptions& volumes) {
+  return !volumes.rings.empty() || !volumes.edges.empty();
+}
+
 // With what the files say, and whether there is what is asked for.
 void complete(AuditOptions& options) {
   const FrameSource source = frame_source(options.input);
@@ -22,7 +26,7 @@ void complete(AuditOptions& options) {
   if (stiffness.stiffness_of_run > 0) options.kn = stiffness.stiffness_of_run;
   VolumeOptions volumes = options.volumes;
   volumes.weight = "sliced";
-  check_before(source, volumes, options.wheel_types);
+  check_before(source, volumes, of_rings(volumes) ? options.wheel_types : std::vector<int>());
   tell(*source.notes);
 }
 
@@ -35,7 +39,7 @@ void add_audit_command(CLI::App& program) {
   add_audit_options(*app, *options);
   app->callback([options] {
     complete(*options);
-    const bool rings = !options->volumes.rings.empty() || !options->volumes.edges.empty();
+    const bool rings = of_rings(options->volumes);
     reading_again(options->input,
                   [&] { check_bound(rings ? audit_rings(*options) : audit_box(*options), options->bound); });
   });

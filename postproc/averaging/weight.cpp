@@ -1,5 +1,8 @@
 #include "averaging/weight.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "averaging/kernel_weight.h"
 #include "io/error.h"
 #include "io/nearest_name.h"
@@ -47,9 +50,11 @@ std::unique_ptr<const Weight> make_weight(const std::string& name) {
   if (name == "centre") return std::make_unique<const CentreWeight>();
   if (auto kernel = make_kernel_weight(name)) return kernel;
   constexpr std::string_view kinds[] = {"sliced", "centre", "gauss", "lucy", "wendland", "tophat"};
-  throw bad_input({"--weight"}, "unknown weight",
-                  "sliced, centre, gauss:W, lucy:W, wendland:W or tophat:W with a width W in m",
-                  in_quotes_with_guess(name.substr(0, name.find(':')), kinds));
+  constexpr auto expected = "sliced, centre, gauss:W, lucy:W, wendland:W or tophat:W with a width W in m";
+  const std::string kind = name.substr(0, name.find(':'));
+  const bool known = std::find(std::begin(kinds), std::end(kinds), kind) != std::end(kinds);
+  throw bad_input({"--weight"}, "unknown weight", expected,
+                  known ? in_quotes(name) : in_quotes_with_guess(kind, kinds));
 }
 
 }  // namespace mikromakro

@@ -55,6 +55,7 @@ class Joiner {
     contact.overlap = row[overlap];
     const double slack = contact.with_wall() ? join_wall(row, contact) : join_discs(row, contact);
     set_force(row, contact);
+    check_spring(row, contact);
     check_components(row, contact, slack);
     return is_contact(row, contact, slack);
   }
@@ -243,6 +244,20 @@ class Joiner {
                     fmt::format("{:.9g} within {:.2g} m", right, slack), fmt::format("{:.9g}", told));
   }
 
+  /// Stock LIGGGHTS keeps its spring in the plane of the contact; a force along the normal, in the columns of
+  /// a spring, is none.
+  void check_spring(const Row& row, const Contact& contact) const {
+    if (!row.has(column_set(shearx, sheary))) return;
+    const Vector2d shear = row.place(shearx, sheary);
+    constexpr double turned = 0.05;  // by the normal since the step in which the spring was turned with it
+    if (!(std::abs(shear.dot(contact.normal)) > turned * shear.norm())) return;
+    throw bad_input(
+        rows_.place(row.index),
+        fmt::format("shearx sheary is no spring of {} (columns of another quantity?)", pair_name(contact)),
+        fmt::format("a vector along the tangent {}", text_of({-contact.normal.y(), contact.normal.x()})),
+        text_of(shear));
+  }
+
   static void set_force(const Row& row, Contact& contact) {
     const Vector2d tangent(-contact.normal.y(), contact.normal.x());
     contact.force = row.has(force_columns) || !row.has(components_of_force)
@@ -290,6 +305,22 @@ class Joiner {
   ContactTolerance tolerance_;
 };
 
+/// Springs pull back: -f_t xi > 0. A tangential force in their columns does not, and a frame full of contacts
+/// tells.
+void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>& contacts) {
+  if ((rows.given & column_set(shearx, sheary)) != column_set(shearx, sheary) || contacts.empty()) return;
+  double along = 0, all = 0;
+  for (const Contact& contact : contacts) {
+    const double work = contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x())) * contact.spring;
+    if (std::isnan(work)) continue;
+    along += work;
+    all += std::abs(work);
+  }
+  if (along > 0.5 * all)
+    throw bad_input(rows.place(0), "shearx sheary point along the tangential forces: no springs",
+                    "springs, which pull back (f_t = -k_t shear)", "another quantity");
+}
+
 }  // namespace
 
 std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& discs,
@@ -306,6 +337,7 @@ std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& 
     row_of.push_back(i);
   }
   check_pairs(contacts, row_of, rows, discs.box);
+  check_springs_pull_back(rows, contacts);
   const auto left_out = static_cast<std::int64_t>(rows.rows.size() - contacts.size());
   if (left_out > 0 && rules.notes != nullptr)
     rules.notes->add("near pairs without force that do not touch are no contacts, left out", rules.step,

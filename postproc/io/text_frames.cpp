@@ -39,6 +39,21 @@ ContactRows contacts_of(const Blocks& pieces, const ContactFormat& format, Colum
   return contacts;
 }
 
+// Dumps of one step of one run have one box.
+void check_box(const RowBlock& particles, const RowBlock& contacts) {
+  const Box &one = particles.header.box, &other = contacts.header.box;
+  constexpr double digits = 1e-5;  // of the shorter of both formats
+  const double allowed = digits * one.length().norm();
+  const double apart = std::fmax((one.low - other.low).lpNorm<Eigen::Infinity>(),
+                                 (one.high - other.high).lpNorm<Eigen::Infinity>());
+  if (!(apart > allowed)) return;
+  const auto text = [](const Box& box) {
+    return fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}", box.low.x(), box.high.x(), box.low.y(), box.high.y());
+  };
+  throw bad_input({contacts.file, contacts.header.line},
+                  "the box is not that of the particles (another run?)", text(one), text(other));
+}
+
 void note_missing_forces(const Blocks& contacts, const ColumnWishes& wishes) {
   if (contacts.empty() || !is_without_tangential_forces(wishes.contact_columns, contacts.front()->header))
     return;
@@ -110,6 +125,8 @@ struct TextFrames::Packed {
   }
 
   void unpack_contacts(RawFrame& frame) const {
+    for (const Blocks* files : {&contacts, &walls})
+      for (const auto& piece : *files) check_box(*particles.front(), *piece);
     if (!contacts.empty())
       frame.contacts = contacts_of(contacts, {wishes->contact_columns}, wishes->contacts_needed);
     if (!walls.empty()) {

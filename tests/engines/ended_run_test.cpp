@@ -29,7 +29,7 @@ class EndedRun : public SnapshotOfARun {
   pid_t endless_run(int ranks) const {
     const std::string line = command(turning_cell +
                                          "restart 100 r.*.restart\nfix s all snapshot/disc 20 file s.h5\n"
-                                         "fix g all ave/micromacro 20 60 file g.csv rings 0.02 0.045 5\n"
+                                         "fix g all ave/micromacro 20 60 file g.csv rings 0.02 0.045 5 kn 400\n"
                                          "run 10000000\n",
                                      ranks);
     const pid_t process = fork();
