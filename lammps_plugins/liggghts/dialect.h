@@ -23,15 +23,16 @@ class FixOfEngine : public LAMMPS_NS::Fix {
     just_created = 0;
   }
 
-  /// The fix has so many numbers for each ghost, which Comm::forward_comm_fix() takes from the disc that it is an
-  /// image of.
+  /// The fix has so many numbers for each ghost, which Comm::forward_comm_fix() takes from the disc that it
+  /// is an image of.
   void has_values_of_ghosts(int count) { comm_forward = count; }
   virtual void pack_for_ghost(int /*i*/, double* /*buffer*/) const {}
   virtual void unpack_for_ghost(int /*i*/, const double* /*buffer*/) {}
 
  private:
   int pack_comm(int n, int* list, double* buffer, int /*pbc_flag*/, int* /*pbc*/) final {
-    for (int k = 0; k < n; ++k) pack_for_ghost(list[k], buffer + static_cast<std::ptrdiff_t>(comm_forward) * k);
+    for (int k = 0; k < n; ++k)
+      pack_for_ghost(list[k], buffer + static_cast<std::ptrdiff_t>(comm_forward) * k);
     return comm_forward;
   }
   void unpack_comm(int n, int first, double* buffer) final {

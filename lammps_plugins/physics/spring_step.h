@@ -7,8 +7,8 @@
 namespace mikromakro::physics {
 
 /// The time that a force evaluation stands for [s]; 0 in a set-up, which moves no spring that is there
-/// already. `predicted`: velocities are of the same instant as positions, not of the middle of the step, where
-/// the stock integrators leave them.
+/// already. `predicted`: velocities are of the same instant as positions, not of the middle of the step,
+/// where the stock integrators leave them.
 struct StepOfSlip {
   double dt;
   bool predicted;

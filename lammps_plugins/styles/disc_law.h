@@ -213,8 +213,8 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   // much any has grown in the last step, at most.
   std::vector<double> largest_radii_;
   double beyond_lists_ = 0, growth_ = 0;
-  double sum_of_radii_ = 0;     // of all discs, before the set-up of the run [m]
-  bool lists_are_old_ = false;  // radii have grown since, in the set-up itself
+  double sum_of_radii_ = 0;        // of all discs, before the set-up of the run [m]
+  bool lists_are_old_ = false;     // radii have grown since, in the set-up itself
   bool forces_are_stale_ = false;  // the engine has not cleared its forces in this step
   bool springs_wait_ = false;      // the engine's histories are behind
   bool one_material_ = false;      // all pairs of types have the same constants

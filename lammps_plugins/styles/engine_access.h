@@ -69,9 +69,9 @@ void handle_signals();
 /// Somebody outside has asked the engine to end the run, or for a restart file.
 bool is_asked_to_stop();
 
-/// Whether a fix may be called, and for nothing but these things, while nobody has put discs into the engine's
-/// arrays: for what happens between steps only, and for what the fix that keeps the engine's springs does with
-/// them. Callbacks that are not known here are harmful.
+/// Whether a fix may be called, and for nothing but these things, while nobody has put discs into the
+/// engine's arrays: for what happens between steps only, and for what the fix that keeps the engine's springs
+/// does with them. Callbacks that are not known here are harmful.
 bool leaves_discs_alone(const LAMMPS_NS::Fix& fix, int mask);
 
 /// A disc's areal density, where the atom style keeps it beside the mass.

@@ -19,8 +19,9 @@ struct PackedDiscs;
 /// hold the velocities of the half step, as with the stock integrators, so that other fixes read and set what
 /// they do there. Contacts of the disc law, smooth walls and the bottom see velocities of the same instant as
 /// the positions: this fix keeps for each disc the difference to the prediction v(t) + dt f(t)/m, which
-/// differs from the final velocity by O(dt^2), and adds it in the rows of packed_discs.h. `velocity half_step`
-/// is what the stock integrators do: the dashpot then sees v(t + dt/2), an error of order gamma dt / 2m.
+/// differs from the final velocity by O(dt^2), and adds it in the rows of packed_discs.h. `velocity
+/// half_step` is what the stock integrators do: the dashpot then sees v(t + dt/2), an error of order gamma dt
+/// / 2m.
 ///
 /// A run goes on with the forces of the last step, also from a restart file if the fix has the same id there,
 /// where nothing has changed since (last_forces.h): on the same number of ranks it repeats, bit for bit, the
@@ -109,9 +110,9 @@ class FixNveDisc : public FixOfEngine {
   bool members_known_ = false;
   LAMMPS_NS::bigint next_question_ = 0;  // the step of it; see neighbours_suffice()
   LastForces last_forces_;
-  bool resumes_ = false;                // the next step is the first of a run that goes on
-  bool step_complete_ = false;          // forces and velocities are those of the end of a step
-  LAMMPS_NS::bigint seen_step_ = -1;    // the last forces know what was seen in this step
+  bool resumes_ = false;              // the next step is the first of a run that goes on
+  bool step_complete_ = false;        // forces and velocities are those of the end of a step
+  LAMMPS_NS::bigint seen_step_ = -1;  // the last forces know what was seen in this step
 };
 
 }  // namespace mikromakro::styles

@@ -17,10 +17,10 @@ namespace mikromakro::styles {
 /// for the first half-kick of the run that continues from there, in the same process or from a restart file.
 ///
 /// The set-up of a run evaluates forces anew. Where no disc has changed since, contacts see the velocities of
-/// the last evaluation once more, and so the same forces result, but for the rounding of a spring that slides.
-/// A disc whose force is the same in this sense goes on with the last bits of it, so that the run is the one
-/// that was never interrupted. Whatever else has changed, a constant, a neighbour or a fix of any kind, shows
-/// in the force itself, and then the new one counts, as in stock engines.
+/// the last evaluation once more, and so the same forces result, but for the rounding of a spring that
+/// slides. A disc whose force is the same in this sense goes on with the last bits of it, so that the run is
+/// the one that was never interrupted. Whatever else has changed, a constant, a neighbour or a fix of any
+/// kind, shows in the force itself, and then the new one counts, as in stock engines.
 class LastForces {
  public:
   explicit LastForces(LAMMPS_NS::LAMMPS& engine) : engine_(engine) {}
@@ -34,8 +34,8 @@ class LastForces {
   bool nothing_changed() const;
   const std::array<double, 3>& seen(int i) const { return kept_[i].seen; }
 
-  /// Gives the noted forces to those discs of the group that have the same ones to rounding. contact_force: of
-  /// the strongest contacts [N], for their rounding.
+  /// Gives the noted forces to those discs of the group that have the same ones to rounding. contact_force:
+  /// of the strongest contacts [N], for their rounding.
   void restore(int group_bit, double contact_force) const;
 
   // Per-atom storage, as the engine asks for it.
@@ -49,7 +49,7 @@ class LastForces {
 
  private:
   struct Kept {
-    double discs = 0;  // in the whole system; 0: nothing is known
+    double discs = 0;                // in the whole system; 0: nothing is known
     std::array<double, 4> shape{};   // x, y, radius, type
     std::array<double, 3> motion{};  // v_x, v_y, omega
     std::array<double, 3> seen{};    // the same when forces were evaluated

@@ -31,11 +31,12 @@ class SetUp : public testing::TestWithParam<const char*> {
   Engine engine_;
 };
 
-INSTANTIATE_TEST_SUITE_P(OfEachLaw, SetUp,
-                         testing::Values("model disc/linear tangential disc/cundall_strack",
-                                         "model disc/linear tangential disc/cundall_strack tangential_damping on",
-                                         "model disc/hertz tangential disc/cundall_strack"),
-                         [](const auto& info) { return "law_" + std::to_string(info.index); });
+INSTANTIATE_TEST_SUITE_P(
+    OfEachLaw, SetUp,
+    testing::Values("model disc/linear tangential disc/cundall_strack",
+                    "model disc/linear tangential disc/cundall_strack tangential_damping on",
+                    "model disc/hertz tangential disc/cundall_strack"),
+    [](const auto& info) { return "law_" + std::to_string(info.index); });
 
 // The discs slide by 1e-6 m in a step; with a slip rate that the set-up forgets, the spring was 6.67e-7 m.
 TEST_P(SetUp, LosesNoSlipOfContactsThatAreThere) {
@@ -57,8 +58,8 @@ TEST_P(SetUp, OfARunFromAFileGoesOnWithTheSpring) {
   for (const int steps : {0, 1}) {
     engine_.run("clear\n" + sliding_pair(GetParam()) + integration + "run " + std::to_string(steps) +
                 "\nwrite_restart " + file +
-                "\nclear\nnewton off\ncommunicate single vel yes\natom_modify map array\nread_restart " + file +
-                "\nneigh_modify delay 0\n" + constants({.mu = 5000}, 1) + integration +
+                "\nclear\nnewton off\ncommunicate single vel yes\natom_modify map array\nread_restart " +
+                file + "\nneigh_modify delay 0\n" + constants({.mu = 5000}, 1) + integration +
                 "compute contacts all contact/disc\nrun 2\n");
     expect_spring_of(steps + 2);
   }
