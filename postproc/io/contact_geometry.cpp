@@ -164,14 +164,14 @@ class Joiner {
       const double gap = row.has(overlap) ? -row[overlap] : 0;
       return image_near(between, (reach + gap) * row.place(nx, ny));
     }
-    const Vector2d branch = nearest(between);
+    Vector2d branch = nearest(between);
     check_one_image(row, branch, reach);
     return branch;
   }
 
   /// As the places of the row say. Stock LIGGGHTS wraps those of rows that have periodic = 1.
   Vector2d row_branch(const Row& row, double reach) const {
-    const Vector2d branch = row.place(x2, y2) - row.place(x1, y1);
+    Vector2d branch = row.place(x2, y2) - row.place(x1, y1);
     if (row.has(periodic) && row[periodic] == 0) return branch;
     if (row.has(periodic) && is_inside(row.place(x1, y1)) && is_inside(row.place(x2, y2)))
       return nearest_other(branch);

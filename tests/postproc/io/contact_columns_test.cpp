@@ -35,6 +35,7 @@ std::string dump(const std::vector<std::string>& names, const Numbers& numbers) 
   std::vector<std::string> row;
   for (const std::string& name : names) row.push_back(name == "-" ? "word" : numbers.at(name));
   std::vector<std::string> columns;
+  columns.reserve(row.size());
   for (std::size_t i = 0; i < row.size(); ++i) columns.push_back(fmt::format("c_X[{}]", i + 1));
   return fmt::format(
       "ITEM: TIMESTEP\n100\nITEM: NUMBER OF ENTRIES\n1\nITEM: BOX BOUNDS ff ff pp\n0 5\n0 5\n-1 1\n"
