@@ -57,13 +57,14 @@ void settle(const std::vector<Held>& held, std::string_view option, std::string_
 
 // k_n of all pairs with an averaged disc.
 std::set<double> stiffnesses(const RunConstants& constants, const std::vector<int>& bulk_types) {
-  const auto types = static_cast<int>(std::lround(std::sqrt(constants.normal_stiffness.size())));
+  const auto types = static_cast<std::size_t>(
+      std::lround(std::sqrt(static_cast<double>(constants.normal_stiffness.size()))));
   std::set<double> values;
-  for (int i = 0; i < types; ++i) {
-    if (!bulk_types.empty() && std::find(bulk_types.begin(), bulk_types.end(), i + 1) == bulk_types.end())
-      continue;
-    for (int j = 0; j < types; ++j)
-      values.insert(constants.normal_stiffness[static_cast<std::size_t>(i * types + j)]);
+  for (std::size_t i = 0; i < types; ++i) {
+    const bool averaged = bulk_types.empty() || std::find(bulk_types.begin(), bulk_types.end(),
+                                                          static_cast<int>(i) + 1) != bulk_types.end();
+    for (std::size_t j = 0; averaged && j < types; ++j)
+      values.insert(constants.normal_stiffness[i * types + j]);
   }
   return values;
 }

@@ -125,7 +125,7 @@ void check_values(CLI::App& app) {
 }
 
 std::string complaint(const CLI::App& app, const CLI::ParseError& error, std::string_view listed) {
-  const std::string message = error.what();
+  std::string message = error.what();
   if (error.get_name() == "ValidationError") return message;
   const CLI::Option* option = named_in(app, message);
   if (error.get_name() == "ArgumentMismatch" && option != nullptr) return of_value_count(*option);
