@@ -8,6 +8,7 @@
 #include "atom.h"
 #include "comm_brick.h"
 #include "fix_disc_history.h"
+#include "fix_nve_sphere.h"
 #include "force.h"
 #include "integrate.h"
 #include "lammps.h"
@@ -63,6 +64,21 @@ const char* const disc_pair_style = "pair_style disc/linear ...";
 const char* const law_styles =
     "Pair styles: disc/linear disc/hertz, tangential off disc/viscous disc/cundall_strack";
 const char* const engine_family = "LAMMPS";
+namespace {
+
+// The keyword disc of fix nve/sphere is known to itself and its children.
+struct SphereIntegrator : FixNVESphere {
+  static double inertia_of(const FixNVESphere& fix) { return fix.*(&SphereIntegrator::inertia); }
+};
+
+}  // namespace
+
+bool turns_spheres(const Fix& fix) {
+  constexpr double of_disc = 0.5;
+  const auto* integrator = dynamic_cast<const FixNVESphere*>(&fix);
+  return integrator != nullptr && SphereIntegrator::inertia_of(*integrator) < of_disc;
+}
+
 const char* const disc_atom_style = "sphere";
 const char* const set_density = "set ... density/disc RHO";
 

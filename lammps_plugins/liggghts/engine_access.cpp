@@ -163,6 +163,11 @@ void announce_set_arrays(LAMMPS_NS::Fix& fix) {
 }
 
 const char* const engine_family = "LIGGGHTS";
+// Its fix nve/sphere takes the inertia of discs in two dimensions.
+bool turns_spheres(const LAMMPS_NS::Fix& /*fix*/) {
+  return false;
+}
+
 const char* const disc_atom_style = "granular";
 const char* const set_density = "set ... density RHO";
 

@@ -16,6 +16,7 @@
 #include "fix_nve_disc.h"
 #include "lammps.h"
 #include "modify.h"
+#include "update.h"
 
 namespace mikromakro::styles {
 
@@ -67,6 +68,26 @@ void check_integrators(LAMMPS& engine, const std::string& style) {
   }
 }
 
+void warn(LAMMPS& engine, const std::string& text) {
+  if (engine.comm->me == 0) engine.error->warning(FLERR, text.c_str());
+}
+
+void warn_of_integrators(LAMMPS& engine, const std::string& style) {
+  const Modify& modify = *engine.modify;
+  bool any = false;
+  for (int k = 0; k < modify.nfix; ++k) {
+    const Fix& fix = *modify.fix[k];
+    any = any || fix.time_integrate;
+    if (turns_spheres(fix))
+      warn(engine, style + ": fix " + fix.id + " (" + fix.style +
+                       ") turns discs with the moment of inertia of spheres, 2/5 m a^2; expected 'fix " +
+                       fix.id + " ... nve/sphere disc' or nve/disc");
+  }
+  if (!any && engine.update->nsteps > 0)
+    warn(engine,
+         style + ": no fix integrates the discs, which will not move; expected 'fix ID group nve/disc'");
+}
+
 /// Smallest and largest radius, m/r^2 and m/r^3 of the discs of one type.
 struct Spread {
   std::array<double, 3> least, largest;
@@ -97,14 +118,11 @@ void warn_of_spheres(LAMMPS& engine, const std::string& style) {
     const Spread spread = spread_of(engine, type);
     if (!(spread.relative(0) > clear && spread.relative(1) > rounding && spread.relative(2) < rounding))
       continue;
-    if (engine.comm->me != 0) return;
-    const std::string text =
-        style + ": the masses of type " + std::to_string(type) +
-        " go with the cube of the radius, as those of spheres; expected m = rho h pi a^2, with "
-        "an areal density by '" +
-        set_density + "'";
-    engine.error->warning(FLERR, text.c_str());
-    return;
+    return warn(engine,
+                style + ": the masses of type " + std::to_string(type) +
+                    " go with the cube of the radius, as those of spheres; expected m = rho h pi a^2, "
+                    "with an areal density by '" +
+                    set_density + "'");
   }
 }
 
@@ -114,6 +132,7 @@ void check_discs(LAMMPS& engine, const std::string& style) {
   check_positive(engine, style, "radius", engine.atom->radius);
   check_positive(engine, style, "mass", engine.atom->rmass);
   check_integrators(engine, style);
+  warn_of_integrators(engine, style);
   warn_of_spheres(engine, style);
 }
 

@@ -81,6 +81,9 @@ void store_density(LAMMPS_NS::Atom& atom, int i, double areal_density);
 bool stores_discs(const LAMMPS_NS::Atom& atom);
 extern const char* const disc_atom_style;
 
+/// Whether the fix turns discs with the moment of inertia of spheres, 2/5 m a^2 for 1/2 m a^2.
+bool turns_spheres(const LAMMPS_NS::Fix& fix);
+
 /// The command that gives discs an areal density, for error lines.
 extern const char* const set_density;
 

@@ -52,7 +52,8 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
   };
   const auto read_and_sum = [&](const TakeSums& take) {
     FrameSource own = source;
-    own.selection = ranks.own_part(source.settled_selection());
+    own.of_all_ranks = source.settled_selection();
+    own.selection = ranks.own_part(*own.of_all_ranks);
     FrameStream stream(own);
     const auto next = [&] {
       MakeFrame make = stream.take();

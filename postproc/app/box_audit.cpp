@@ -80,6 +80,7 @@ class BoxAuditor {
     require_contacts(input, "the stress of walls needs");
     FrameSource source = frame_source(input);
     if (!volumes_.bulk_types.empty()) source.particles_needed = column_set(ParticleColumn::type);
+    source.averaged_types = volumes_.bulk_types;
     source.contacts_required = true;
     source.contacts_needed = column_set(ContactColumn::fx, ContactColumn::fy, ContactColumn::overlap);
     return source;

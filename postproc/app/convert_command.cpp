@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "app/commands.h"
@@ -13,6 +15,8 @@
 
 namespace mikromakro {
 namespace {
+
+constexpr const char* walls = "/walls";  // of runs; rows of frames do not hold them
 
 struct ConvertOptions {
   InputOptions input;
@@ -34,7 +38,13 @@ void convert(const ConvertOptions& options) {
   // They are said once for all frames.
   double height = 0;
   take_height(source, height);
-  if (!source.snapshot_files.empty()) writer.copy_parameters(Hdf5File::open(source.snapshot_files.front()));
+  if (!source.snapshot_files.empty()) {
+    const Hdf5File first = Hdf5File::open(source.snapshot_files.front());
+    writer.copy_parameters(first);
+    if (first.has(walls))
+      source.notes->add(fmt::format("{}: the numbers of walls ({}) are not taken over",
+                                    source.snapshot_files.front(), walls));
+  }
   FrameStream stream(source);
   Frame frame;
   std::int64_t frames = 0;

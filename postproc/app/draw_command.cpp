@@ -107,6 +107,7 @@ FrameSource source_of(const DrawOptions& options) {
   FrameSource source = frame_source(options.input);
   if (options.input.frames.empty() && options.input.steps.empty()) select_frames("0:0", source.selection);
   if (!style.bulk_types.empty()) source.particles_needed |= column_set(ParticleColumn::type);
+  source.averaged_types = style.bulk_types;
   if (style.quantity != nullptr) {
     source.particles_needed |= style.quantity->particles_needed;
     source.contacts_needed |= style.quantity->contacts_needed;

@@ -25,7 +25,10 @@ struct FitResult {
   ExponentialProfile profile;
   double r_i = 0;
   double scale = 0;  // Omega R_i, nan when --omega is not given
+  std::string unit;  // of the column
 };
+
+constexpr std::string_view unit_of_velocity = "m/s";
 
 // Whether the rows are rings one after the other, where the table gives their edges: a row that was doubled,
 // or whose radius lies in another ring, would count wrongly without a word.
@@ -49,6 +52,9 @@ void check_rings(const CsvTable& table) {
 
 FitResult fit_file(const FitOptions& options) {
   const CsvTable table(options.file);
+  if (!table.has("r"))
+    throw bad_input({options.file}, "the table is not one of rings", "a column r, as of average --rings",
+                    "none");
   ProfilePoints points{table.column("r"), table.column(options.column), {}};
   if (options.weights == "errors") points.error = table.column(options.column + "_err");
   if (table.rows() == 0) throw bad_input({options.file}, "the table is empty", "rows of numbers", "none");
@@ -62,6 +68,10 @@ FitResult fit_file(const FitOptions& options) {
     points.v = inside.select(points.v, std::nan("")).eval();
   }
   FitResult result;
+  result.unit = table.unit(options.column);
+  if (!std::isnan(options.omega) && !result.unit.empty() && result.unit != unit_of_velocity)
+    throw bad_input({"--omega"}, fmt::format("{} is no velocity", options.column),
+                    fmt::format("a column in {}", unit_of_velocity), result.unit);
   result.r_i = std::isnan(options.ri) ? table.column("r_inner")[0] : options.ri;
   if (options.omega == 0)
     throw bad_input({"--omega"}, "the wheel does not turn", "a rate that is not 0", "0");
@@ -94,15 +104,16 @@ void print_json(const FitOptions& options, const FitResult& result) {
 
 void print_text(const FitOptions& options, const FitResult& result) {
   const auto line = [](std::string_view name, const Estimate& estimate, std::string_view unit) {
-    fmt::print("{} = {:.6g} {} (95 %: {:.6g} to {:.6g})\n", name, estimate.value, unit, estimate.low,
-               estimate.high);
+    fmt::print("{} = {:.6g}{}{} (95 %: {:.6g} to {:.6g})\n", name, estimate.value, unit.empty() ? "" : " ",
+               unit, estimate.low, estimate.high);
   };
   fmt::print("{}(r) = v0 exp(-(r - R_i)/s), R_i = {:.6g} m, {} rings\n", options.column, result.r_i,
              result.profile.points);
-  line("v0", result.profile.v0, "m/s");
+  line("v0", result.profile.v0, result.unit);
   line("s", result.profile.s, "m");
   if (!std::isnan(result.scale)) line("v0/(Omega R_i)", scaled(result.profile.v0, result.scale), "");
-  fmt::print("rms of the residuals = {:.6g} m/s\n", result.profile.residual_rms);
+  fmt::print("rms of the residuals = {:.6g} {}\n", result.profile.residual_rms,
+             result.unit.empty() ? "(the table does not tell the unit)" : result.unit);
 }
 
 }  // namespace

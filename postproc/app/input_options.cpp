@@ -97,6 +97,10 @@ FrameSource frame_source(const InputOptions& options) {
   check_columns(options);
   FrameSource source;
   std::vector<Run> runs = has_snapshots(options) ? snapshot_runs(options) : dump_runs(options);
+  std::vector<std::vector<std::string>> files;
+  for (const Run& run : runs)
+    files.push_back(has_snapshots(options) ? run.snapshot_files : run.particle_files);
+  check_runs_differ(files);
   source.particle_files = std::move(runs.front().particle_files);
   source.contact_files = std::move(runs.front().contact_files);
   source.snapshot_files = std::move(runs.front().snapshot_files);
@@ -129,6 +133,7 @@ FrameSource source_of(const InputOptions& options, const Averager& averager) {
   source.particles_needed = averager.particles_needed();
   source.contacts_needed = averager.contacts_needed();
   source.contacts_required = averager.needs_contacts();
+  source.averaged_types = averager.bulk_types();
   return source;
 }
 

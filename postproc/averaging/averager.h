@@ -60,6 +60,7 @@ class Averager {
 
   /// The one that was chosen.
   Branch branch() const { return branch_; }
+  const std::vector<int>& bulk_types() const { return options_.bulk_types; }
 
  private:
   struct Scratch;

@@ -34,6 +34,8 @@ Points finite_points(const ProfilePoints& all, double r_i) {
     throw run_failed("too few rings for the fit", fmt::format("at least {} with finite values", least_points),
                      fmt::format("{}", used.size()));
   }
+  if ((all.v(used) == 0).all())
+    throw run_failed("there is nothing to fit", "values that are not 0", "0 in every ring");
   Points points{all.r(used) - r_i, all.v(used), Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(used.size()))};
   // Relative to the smallest error, so that the sums stay of the size of v^2.
   if (weighted) points.weight = (all.error(used).minCoeff() / all.error(used)).square();

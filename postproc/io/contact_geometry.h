@@ -22,6 +22,7 @@ struct ContactRules {
   bool distant = false;  ///< forces may act between discs that do not touch
   Notes* notes = nullptr;
   std::int64_t step = Notes::whole;
+  std::vector<int> averaged_types = {};  ///< contacts of others may be missing; empty: of none
 };
 
 /// Contacts of one frame.

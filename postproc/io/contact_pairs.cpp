@@ -20,7 +20,10 @@ std::pair<std::int64_t, std::int64_t> pair_of(const Contact& contact) {
   return std::minmax(contact.id1, contact.id2);
 }
 Eigen::Vector2d ordered_normal(const Contact& contact) {
-  return contact.id1 < contact.id2 ? contact.normal : Eigen::Vector2d(-contact.normal);
+  // Of a disc that touches its own image both sides are one contact.
+  const bool upwards = contact.normal.x() > 0 || (contact.normal.x() == 0 && contact.normal.y() > 0);
+  const bool as_it_is = contact.id1 == contact.id2 ? upwards : contact.id1 < contact.id2;
+  return as_it_is ? contact.normal : Eigen::Vector2d(-contact.normal);
 }
 
 // Whether a disc touches itself (by both of its images, perhaps) or a pair is there twice, in one pass over a

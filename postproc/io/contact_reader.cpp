@@ -114,7 +114,8 @@ class RowReader {
     require_columns(map_, required_contact_columns(needed, map_.given), names, place);
     wall_map_ = map_;
     // In text fn and ft cost little, and tell a force that has been changed.
-    const ColumnSet wanted = wanted_contact_columns(needed, map_.given) | (map_.given & column_set(fn, ft));
+    const ColumnSet wanted =
+        wanted_contact_columns(needed, map_.given, format.closely) | (map_.given & column_set(fn, ft));
     keep_columns(map_, wanted);
     keep_columns(wall_map_, wanted | place_columns);
     if (walls_) map_ = wall_map_;
@@ -176,14 +177,15 @@ ColumnSet required_contact_columns(ColumnSet needed, ColumnSet given) {
   return (needed & ~derivable_columns & ~force) | column_set(id1, id2);
 }
 
-ColumnSet wanted_contact_columns(ColumnSet needed, ColumnSet given) {
+ColumnSet wanted_contact_columns(ColumnSet needed, ColumnSet given, bool closely) {
   if (needed == 0) return given;
   const ColumnSet derive_from = (derivable_columns & ~given) != 0 ? place_columns : 0;
   const ColumnSet force =
       contains(given, column_set(fx, fy)) ? column_set(fx, fy) | tangential_columns : column_set(fn, ft);
+  const ColumnSet to_check = closely ? place_columns | column_set(fn, ft) : 0;
   // Fields take springs where there are any, without needing them; forces tell contacts from near pairs.
-  return given & (needed | derivable_columns | derive_from | force | spring_columns | across_columns |
-                  wall_name_columns | column_set(id1, id2, dist, periodic));
+  return given & (needed | to_check | derivable_columns | derive_from | force | spring_columns |
+                  across_columns | wall_name_columns | column_set(id1, id2, dist, periodic));
 }
 
 ContactRows read_contacts(const RowBlock& block, const ContactFormat& format, ColumnSet needed) {

@@ -63,6 +63,7 @@ inline constexpr double first_mesh = -1001;
 struct ContactFormat {
   const std::vector<std::string>& list;
   bool walls = false;
+  bool closely = false;  ///< all columns that can be checked are read
 };
 
 /// Throws where an id is no whole number, or a normal is given that is no unit vector within 1e-5 (the
@@ -75,8 +76,8 @@ void check_contact_row(const ContactRow& row, ColumnSet given, bool guessed, con
 ColumnSet required_contact_columns(ColumnSet needed, ColumnSet given);
 
 /// The columns that are read of those `given`: nothing that can be left out; all of them without any wish (to
-/// copy frames).
-ColumnSet wanted_contact_columns(ColumnSet needed, ColumnSet given);
+/// copy frames); `closely`: those besides that can be checked.
+ColumnSet wanted_contact_columns(ColumnSet needed, ColumnSet given, bool closely = false);
 
 /// Reads the rows of a frame. The names are those of the format (none: the header's own, or the 16 columns of
 /// `compute contact/disc` where the header says c_X[1] ... c_X[16]; of walls the preset of LIGGGHTS);

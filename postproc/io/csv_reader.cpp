@@ -86,4 +86,12 @@ Eigen::ArrayXd CsvTable::column(std::string_view name) const {
   return values_.col(found - names_.begin());
 }
 
+// 'column NAME [UNIT] (EQUATION) TEXT', as CsvWriter has it.
+std::string CsvTable::unit(std::string_view name) const {
+  const std::string begin = fmt::format("column {} [", name);
+  for (const std::string_view line : comments_)
+    if (line.starts_with(begin)) return std::string(line.substr(begin.size(), line.find(']') - begin.size()));
+  return {};
+}
+
 }  // namespace mikromakro

@@ -23,6 +23,8 @@ class CsvTable {
   bool has(std::string_view name) const;
   /// Throws when there is no such column.
   Eigen::ArrayXd column(std::string_view name) const;
+  /// The unit that the lines above the table tell of a column, empty where they do not.
+  std::string unit(std::string_view name) const;
   /// Where a row (from 0) stands in the file.
   Place row_place(Eigen::Index row) const { return {file_, row_lines_[static_cast<std::size_t>(row)]}; }
   /// Lines with '#', without it.

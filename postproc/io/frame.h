@@ -19,6 +19,8 @@ struct Box {
   bool boundaries_known = true;  ///< false: the file does not say which boundaries are periodic
 
   Eigen::Vector2d length() const { return high - low; }
+  /// For messages.
+  const char* boundary(std::size_t axis) const { return periodic[axis] ? "periodic" : "not periodic"; }
 };
 
 /// A disc; SI units. What a dump does not give is nan (type 0).

@@ -35,6 +35,7 @@ struct RawFrame {
   double place_error = not_given;  ///< what coordinates of discs have lost (m); nan: as their digits say
   double time = not_given;         ///< s
   Units units = {};                ///< in which all of it stands until it is joined
+  bool closely = false;            ///< contacts that are missing are looked for, too
   std::vector<WallState> walls;
 
   Place place_of_particle(std::size_t i) const {
@@ -57,8 +58,9 @@ class FrameFormat {
 
   /// Goes to the next frame; false at the end.
   virtual bool next(std::int64_t& step) = 0;
-  /// Takes the bytes of the frame that `next` has found; may be left out to skip it.
-  virtual UnpackFrame take() = 0;
+  /// Takes the bytes of the frame that `next` has found; may be left out to skip it. `closely`: with all
+  /// columns of contacts that can be checked, whether they are needed or not.
+  virtual UnpackFrame take(bool closely = false) = 0;
   /// The run of that frame, from 0.
   virtual std::int64_t run() const { return 0; }
   /// For the progress bar.

@@ -7,6 +7,7 @@
 
 #include "io/id_map.h"
 #include "io/mercury_frames.h"
+#include "io/overlapping_discs.h"
 #include "io/run_sequence.h"
 #include "io/snapshot_reader.h"
 
@@ -89,6 +90,7 @@ void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   note_boundaries(raw, rules.notes);
   if (raw.with_contacts)
     frame.contacts = join_contacts(raw.contacts, {raw.particles, ids, raw.box, raw.place_error}, rules);
+  if (raw.closely && rules.notes != nullptr) note_overlaps(raw, frame.contacts, rules);
   // The rows are read anew for the next frame.
   frame.particles.swap(raw.particles);
   convert(raw.units, raw, frame);
@@ -126,12 +128,22 @@ FrameSelection FrameSource::settled_selection() const {
 
 FrameStream::FrameStream(const FrameSource& source)
     : selection_(source.settled_selection()),
+      of_all_ranks_(source.of_all_ranks.value_or(selection_)),
       density_(source.density),
       contacts_required_(source.contacts_required),
       distant_contacts_(source.distant_contacts),
+      averaged_types_(source.averaged_types),
       notes_(source.notes),
       one_run_(source.further_runs.empty()),
       format_(format_of(source)) {}
+
+bool FrameStream::is_looked_at_closely(std::int64_t step) {
+  constexpr std::int64_t seldom = 32;
+  if (!of_all_ranks_.contains(index_, step)) return false;
+  const bool run_begins = last_selected_run_ != format_->run();
+  last_selected_run_ = format_->run();
+  return selected_++ % seldom == 0 || run_begins;
+}
 
 UnpackFrame FrameStream::take_raw() {
   std::int64_t step = 0;
@@ -139,9 +151,10 @@ UnpackFrame FrameStream::take_raw() {
     ++index_;
     // A later run begins with small steps again.
     over_ = one_run_ ? selection_.over_after(index_, step) : index_ >= selection_.last;
+    closely_ = is_looked_at_closely(step);
     if (!selection_.contains(index_, step)) continue;
     // Nothing where a file was cut.
-    if (UnpackFrame unpack = format_->take()) return unpack;
+    if (UnpackFrame unpack = format_->take(closely_)) return unpack;
   }
   return {};
 }
@@ -152,9 +165,10 @@ bool FrameStream::next(Frame& frame) {
   raw_.further_pieces.clear();
   raw_.place_error = not_given;
   raw_.units = {};
+  raw_.closely = closely_;
   unpack(raw_);
   complete(raw_, density_, contacts_required_);
-  join(raw_, frame, {distant_contacts_, notes_.get()});
+  join(raw_, frame, {distant_contacts_, notes_.get(), Notes::whole, averaged_types_});
   frame.index = index_;
   frame.run = format_->run();
   return true;
@@ -164,11 +178,13 @@ MakeFrame FrameStream::take() {
   UnpackFrame unpack = take_raw();
   if (!unpack) return {};
   return [unpack = std::move(unpack), density = density_, required = contacts_required_, index = index_,
-          run = format_->run(), distant = distant_contacts_, notes = notes_](Frame& frame) {
+          run = format_->run(), closely = closely_, distant = distant_contacts_, notes = notes_,
+          types = averaged_types_](Frame& frame) {
     RawFrame raw;
+    raw.closely = closely;
     unpack(raw);
     complete(raw, density, required);
-    join(raw, frame, {distant, notes.get()});
+    join(raw, frame, {distant, notes.get(), Notes::whole, types});
     frame.index = index;
     frame.run = run;
   };

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,10 +33,11 @@ struct FrameSource {
   ColumnSet particles_needed = 0;
   ColumnSet contacts_needed = 0;
   FrameSelection selection;
-  std::vector<std::string> snapshot_files = {};  ///< none: text dumps
-  std::vector<Run> further_runs = {};            ///< read after the files above, which are the first run
-  double density = 0;                            ///< areal (kg/m^2), > 0: for files that give no masses
-  bool contacts_required = false;                ///< frames without contacts are an error
+  std::optional<FrameSelection> of_all_ranks = {};  ///< where `selection` is the part of one of several ranks
+  std::vector<std::string> snapshot_files = {};     ///< none: text dumps
+  std::vector<Run> further_runs = {};               ///< read after the files above, which are the first run
+  double density = 0;                               ///< areal (kg/m^2), > 0: for files that give no masses
+  bool contacts_required = false;                   ///< frames without contacts are an error
   /// Files are read once more before, so that steps that come again (after a restart) can be left out;
   /// without it they throw Error::Kind::steps_come_again.
   bool look_through = false;
@@ -43,7 +45,8 @@ struct FrameSource {
   std::shared_ptr<Notes> notes = std::make_shared<Notes>();
   std::vector<std::string> wall_files = {};  ///< contacts with walls, beside those of discs
   std::vector<std::string> wall_columns = {};
-  bool distant_contacts = false;  ///< forces may act between discs that do not touch
+  bool distant_contacts = false;         ///< forces may act between discs that do not touch
+  std::vector<int> averaged_types = {};  ///< contacts of others may be missing; empty: of none
 
   ColumnWishes wishes() const;
   std::vector<Run> runs() const;
@@ -60,8 +63,10 @@ using MakeFrame = std::function<void(Frame&)>;
 /// all that join_contacts throws.
 void join(RawFrame& raw, Frame& frame, ContactRules rules);
 
-/// Throws: contacts that are required and not there, masses where a density is given, too; ids that are there
-/// twice, and all that the formats and join_contacts throw.
+/// Frames are looked at closely now and then, the first of each run and every 32nd of those that all ranks
+/// read: what costs time but finds what is wrong in a whole file. Throws: contacts that are required and not
+/// there, masses where a density is given, too; ids that are there twice, and all that the formats and
+/// join_contacts throw.
 class FrameStream {
  public:
   explicit FrameStream(const FrameSource& source);
@@ -79,16 +84,21 @@ class FrameStream {
 
  private:
   UnpackFrame take_raw();
+  bool is_looked_at_closely(std::int64_t step);
 
-  FrameSelection selection_;
+  FrameSelection selection_, of_all_ranks_;
   double density_;
   bool contacts_required_;
   bool distant_contacts_;
+  std::vector<int> averaged_types_;
   std::shared_ptr<Notes> notes_;
   bool one_run_;
   std::unique_ptr<FrameFormat> format_;
   RawFrame raw_;
   std::int64_t index_ = -1;
+  std::int64_t selected_ = 0;  ///< frames of all ranks so far
+  std::int64_t last_selected_run_ = -1;
+  bool closely_ = false;
   bool over_ = false;
 };
 

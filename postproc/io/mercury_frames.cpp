@@ -36,7 +36,7 @@ bool MercuryFrames::next(std::int64_t& step) {
   return frames_.next();
 }
 
-UnpackFrame MercuryFrames::take() {
+UnpackFrame MercuryFrames::take(bool) {
   const auto blocks = frames_.take_rows();
   if (blocks.empty()) return {};
   return [step = step_, wishes = wishes_, blocks](RawFrame& frame) {

@@ -22,7 +22,7 @@ class MercuryFrames : public FrameFormat {
                 ColumnWishes wishes);
 
   bool next(std::int64_t& step) override;
-  UnpackFrame take() override;
+  UnpackFrame take(bool closely = false) override;
   std::int64_t bytes_read() const override { return frames_.bytes_read(); }
 
  private:

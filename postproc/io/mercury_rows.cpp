@@ -35,12 +35,14 @@ constexpr double in_plane = 1e-6;
 struct FstatRow {
   std::int64_t i, j;
   double overlap, spring, normal_force, tangential_force;
-  Eigen::Vector2d normal, tangent;
+  Eigen::Vector2d point, normal, tangent;
 };
 
 enum FstatSlot {
   i_at,
   j_at,
+  x_at,
+  y_at,
   overlap_at,
   spring_at,
   fn_at,
@@ -54,8 +56,8 @@ enum FstatSlot {
 };
 
 FstatRow fstat_row(std::string_view line, const Place& place) {
-  static const ColumnMap map{{-1, i_at, j_at, -1, -1, -1, overlap_at, spring_at, fn_at, ft_at, nx_at, ny_at,
-                              nz_at, tx_at, ty_at, -1},
+  static const ColumnMap map{{-1, i_at, j_at, x_at, y_at, -1, overlap_at, spring_at, fn_at, ft_at, nx_at,
+                              ny_at, nz_at, tx_at, ty_at, -1},
                              0};
   std::array<double, fstat_slots> slots{};
   parse_row(line, map, slots, place);
@@ -67,6 +69,7 @@ FstatRow fstat_row(std::string_view line, const Place& place) {
           slots[spring_at],
           slots[fn_at],
           slots[ft_at],
+          {slots[x_at], slots[y_at]},
           {slots[nx_at], slots[ny_at]},
           {slots[tx_at], slots[ty_at]}};
 }
@@ -80,6 +83,17 @@ void check_index(std::int64_t index, const std::vector<Particle>& particles, con
   throw bad_input(place, "contact of an unknown particle (a copy across a periodic boundary?)",
                   fmt::format("an index of the .data frame, 0 to {}", std::ssize(particles) - 1),
                   fmt::format("{}", index));
+}
+
+// The contact point of a wall lies in the overlap, on the normal through the disc's centre.
+void check_wall_point(const FstatRow& row, const Particle& disc, const Place& place) {
+  constexpr double digits = 1e-4;  // of the radius, since the files keep six digits of the coordinates
+  const Eigen::Vector2d right = disc.position + (disc.radius - row.overlap / 2) * row.normal;
+  const double allowed = std::abs(row.overlap) / 2 + digits * (disc.radius + disc.position.norm());
+  if ((row.point - right).norm() <= allowed) return;
+  throw bad_input(place, "the contact point is not where the wall touches the disc",
+                  fmt::format("{:.9g} {:.9g} within {:.2g} m", right.x(), right.y(), allowed),
+                  fmt::format("{:.9g} {:.9g}", row.point.x(), row.point.y()));
 }
 
 ContactRow contact_of(const FstatRow& row, const std::vector<Particle>& particles, const Place& place) {
@@ -96,6 +110,7 @@ ContactRow contact_of(const FstatRow& row, const std::vector<Particle>& particle
     if (normal.dot(of_j - of_i) <= 0)
       throw bad_input(place, "the normal points the wrong way", "n from j to i", "the other way");
   }
+  if (wall) check_wall_point(row, particles[static_cast<std::size_t>(row.i)], place);
   const double along = -normal.y() * force.x() + normal.x() * force.y();
   ContactRow contact{};
   contact.value.fill(not_given);

@@ -25,7 +25,7 @@ class RunSequence : public FrameFormat {
     return true;
   }
   std::int64_t run() const override { return static_cast<std::int64_t>(opened_) - 1; }
-  UnpackFrame take() override { return run_->take(); }
+  UnpackFrame take(bool closely) override { return run_->take(closely); }
   std::int64_t bytes_read() const override { return bytes_before_ + (run_ ? run_->bytes_read() : 0); }
 
  private:

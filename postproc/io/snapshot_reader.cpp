@@ -164,7 +164,7 @@ struct SnapshotReader::Open {
       elements.push_back((element.columns() & summary.particles_given) != 0
                              ? ChunkReader(file.dataset(value_path(element)))
                              : ChunkReader());
-    const ColumnSet wanted = wanted_contact_columns(wishes.contacts_needed, summary.contacts_given);
+    const ColumnSet wanted = wanted_contact_columns(wishes.contacts_needed, summary.contacts_given, true);
     for (std::size_t slot = 0; slot < std::size(contact_column_names); ++slot)
       columns.push_back((wanted >> slot & 1U) != 0 ? ChunkReader(file.dataset(contact_path(slot)))
                                                    : ChunkReader());
@@ -222,7 +222,7 @@ struct SnapshotReader::Packed {
   void unpack_contacts(ContactRows& rows) const;
 };
 
-UnpackFrame SnapshotReader::take() {
+UnpackFrame SnapshotReader::take(bool closely) {
   const auto packed = std::make_shared<Packed>();
   const SnapshotSummary& summary = open_->summary;
   const std::uint64_t frame = frame_ - 1;
@@ -241,7 +241,7 @@ UnpackFrame SnapshotReader::take() {
   packed->with_contacts = !summary.contact_offsets.empty();
   if (packed->with_contacts) {
     packed->contacts_needed = wishes_.contacts_needed;
-    packed->contacts_given = wanted_contact_columns(wishes_.contacts_needed, summary.contacts_given);
+    packed->contacts_given = wanted_contact_columns(wishes_.contacts_needed, summary.contacts_given, closely);
     const auto begin = static_cast<std::uint64_t>(summary.contact_offsets[frame]);
     const std::uint64_t count = static_cast<std::uint64_t>(summary.contact_offsets[frame + 1]) - begin;
     for (std::size_t slot = 0; slot < std::size(contact_column_names); ++slot)

@@ -31,7 +31,7 @@ class SnapshotReader : public FrameFormat {
   ~SnapshotReader() override;
 
   bool next(std::int64_t& step) override;
-  UnpackFrame take() override;
+  UnpackFrame take(bool closely = false) override;
   std::int64_t bytes_read() const override { return bytes_; }
 
  private:

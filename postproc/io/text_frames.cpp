@@ -46,9 +46,12 @@ void check_box(const RowBlock& particles, const RowBlock& contacts) {
   const double allowed = digits * one.length().norm();
   const double apart = std::fmax((one.low - other.low).lpNorm<Eigen::Infinity>(),
                                  (one.high - other.high).lpNorm<Eigen::Infinity>());
-  if (!(apart > allowed)) return;
+  const bool boundaries_differ =
+      one.boundaries_known && other.boundaries_known && one.periodic != other.periodic;
+  if (!(apart > allowed) && !boundaries_differ) return;
   const auto text = [](const Box& box) {
-    return fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}", box.low.x(), box.high.x(), box.low.y(), box.high.y());
+    return fmt::format("{:.9g} {:.9g} {} {:.9g} {:.9g} {}", box.low.x(), box.high.x(), box.boundary(0),
+                       box.low.y(), box.high.y(), box.boundary(1));
   };
   throw bad_input({contacts.file, contacts.header.line},
                   "the box is not that of the particles (another run?)", text(one), text(other));
@@ -106,6 +109,7 @@ void TextFrames::find_units() {
 struct TextFrames::Packed {
   std::shared_ptr<const ColumnWishes> wishes;
   Units units;
+  bool closely;
   Blocks particles, contacts, walls;
 
   void unpack(RawFrame& frame) const {
@@ -128,9 +132,10 @@ struct TextFrames::Packed {
     for (const Blocks* files : {&contacts, &walls})
       for (const auto& piece : *files) check_box(*particles.front(), *piece);
     if (!contacts.empty())
-      frame.contacts = contacts_of(contacts, {wishes->contact_columns}, wishes->contacts_needed);
+      frame.contacts =
+          contacts_of(contacts, {wishes->contact_columns, false, closely}, wishes->contacts_needed);
     if (!walls.empty()) {
-      ContactRows rows = contacts_of(walls, {wishes->wall_columns, true}, wishes->contacts_needed);
+      ContactRows rows = contacts_of(walls, {wishes->wall_columns, true, closely}, wishes->contacts_needed);
       contacts.empty() ? void(frame.contacts = std::move(rows))
                        : add_wall_contacts(std::move(rows), frame.contacts);
     }
@@ -138,7 +143,7 @@ struct TextFrames::Packed {
   }
 };
 
-UnpackFrame TextFrames::take() {
+UnpackFrame TextFrames::take(bool closely) {
   const Blocks blocks = frames_.take_rows();
   if (blocks.empty()) return {};
   some_taken_ = true;
@@ -146,6 +151,7 @@ UnpackFrame TextFrames::take() {
   const auto first_walls = first_contacts + static_cast<std::ptrdiff_t>(contact_pieces_);
   const Packed packed{wishes_,
                       units_,
+                      closely,
                       {blocks.begin(), first_contacts},
                       {first_contacts, first_walls},
                       {first_walls, blocks.end()}};

@@ -36,7 +36,7 @@ class TextFrames : public FrameFormat {
              ColumnWishes wishes, const std::vector<std::string>& wall_files = {});
 
   bool next(std::int64_t& step) override;
-  UnpackFrame take() override;
+  UnpackFrame take(bool closely = false) override;
   std::int64_t bytes_read() const override { return frames_.bytes_read(); }
 
  private:

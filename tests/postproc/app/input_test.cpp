@@ -1,8 +1,10 @@
 // Kinds of input through the program: MercuryDPM's files, several runs.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 #include "run_program.h"
@@ -12,6 +14,14 @@ namespace {
 
 const std::string dumps = "--particles good/particles.dump --contacts good/contacts.dump ";
 const std::string rings = " --rings 0 4 2 --bulk-types 1";
+
+// A run that is another one by its bytes, k lines without words, and the same by its numbers.
+std::string further_run(const Folder& folder, int k) {
+  const std::string particles =
+      read_text(TEST_DATA "/good/particles.dump") + std::string(static_cast<std::size_t>(k), '\n');
+  return "--particles '" + folder.write(fmt::format("particles.{}.dump", k), particles) +
+         "' --contacts good/contacts.dump ";
+}
 
 std::string numbers(const std::string& csv) {
   return csv.substr(csv.find("\nr_inner"));
@@ -71,16 +81,18 @@ TEST(MercuryInput, IsToldByInfo) {
 
 // Twice the same run is the same mean of twice as many frames.
 TEST(SeveralRuns, FollowEachOtherThoughTheirStepsBeginAnew) {
+  const Folder folder;
+  const std::string both = dumps + further_run(folder, 1);
   const Ran one = run_program("average " + dumps + rings);
-  const Ran two = run_program("average " + dumps + dumps + rings);
+  const Ran two = run_program("average " + both + rings);
   EXPECT_EQ(two.code, 0) << two.err;
   EXPECT_NE(two.out.find("# runs: 2, one after the other\n"), std::string::npos);
   EXPECT_NE(two.out.find("# frames: 4, steps 100 to 200\n"), std::string::npos);
   expect_same(two.out, one.out, 1e-15);
   // Step 200 of both; frames 1 and 2 are the second one of the first run and the first one of the second.
-  EXPECT_NE(run_program("average " + dumps + dumps + rings + " --steps 200:200").out.find("# frames: 2,"),
+  EXPECT_NE(run_program("average " + both + rings + " --steps 200:200").out.find("# frames: 2,"),
             std::string::npos);
-  expect_same(run_program("average " + dumps + dumps + rings + " --frames 1:2").out, one.out, 1e-15);
+  expect_same(run_program("average " + both + rings + " --frames 1:2").out, one.out, 1e-15);
 }
 
 // As for dumps, and the same numbers; files of one run must still ascend.
@@ -88,14 +100,16 @@ TEST(SeveralRuns, MayBeHdf5Files) {
   const Folder folder;
   const std::string file = std::string("'").append(folder.path("run.h5")).append("' ");
   ASSERT_EQ(run_program("convert " + dumps + "--out " + file).code, 0);
-  const std::string of_dumps = run_program("average " + dumps + dumps + rings).out;
-  const Ran two = run_program("average --snapshots " + file + "--snapshots " + file + rings);
+  const std::string again = std::string("'").append(folder.path("again.h5")).append("' ");
+  ASSERT_EQ(run_program("convert " + dumps + "--timestep 1 --out " + again).code, 0);
+  const std::string of_dumps = run_program("average " + dumps + further_run(folder, 1) + rings).out;
+  const Ran two = run_program("average --snapshots " + file + "--snapshots " + again + rings);
   EXPECT_EQ(two.code, 0) << two.err;
   EXPECT_NE(two.out.find("# runs: 2, one after the other\n"), std::string::npos);
   EXPECT_EQ(numbers(two.out), numbers(of_dumps));
-  EXPECT_EQ(numbers(run_program("average " + file + "--snapshots " + file + rings).out), numbers(of_dumps));
+  EXPECT_EQ(numbers(run_program("average " + file + "--snapshots " + again + rings).out), numbers(of_dumps));
   EXPECT_EQ(
-      run_on_ranks(2, "average --snapshots " + file + "--snapshots " + file + rings + " --threads 1").out,
+      run_on_ranks(2, "average --snapshots " + file + "--snapshots " + again + rings + " --threads 1").out,
       two.out);
   const std::string last = std::string("'").append(folder.path("last.h5")).append("' ");
   ASSERT_EQ(run_program("convert " + dumps + "--frames 1:1 --out " + last).code, 0);
@@ -109,8 +123,9 @@ TEST(SeveralRuns, MayBeHdf5Files) {
 // 17 runs of two frames each: 34 blocks of one frame; where 16 are wanted 17 of two, since no more runs can
 // be put together.
 TEST(SeveralRuns, AreNotMixedInTheBlocksOfErrors) {
+  const Folder folder;
   std::string runs;
-  for (int run = 0; run < 17; ++run) runs += dumps;
+  for (int run = 0; run < 17; ++run) runs += further_run(folder, run);
   const std::string arguments = "average " + runs + rings + " --threads 1 --error-blocks ";
   EXPECT_NE(run_program(arguments + "64").out.find("# errors: standard errors from 34 blocks of 1 frames"),
             std::string::npos);
@@ -120,8 +135,26 @@ TEST(SeveralRuns, AreNotMixedInTheBlocksOfErrors) {
   EXPECT_EQ(run_on_ranks(2, arguments + "16").out, few);
 }
 
+// What is there twice would make errors too small.
+TEST(SeveralRuns, AreRefusedWhereTheyAreOne) {
+  const Folder folder;
+  const std::string copy = folder.write("copy.dump", read_text(TEST_DATA "/good/particles.dump"));
+  std::filesystem::create_symlink(copy, folder.path("link.dump"));
+  for (const std::string& file : {std::string("good/particles.dump"), copy, folder.path("link.dump")}) {
+    const Ran ran =
+        run_program("average " + dumps + "--particles '" + file + "' --contacts good/contacts.dump" + rings);
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.err.find("the same frames are in two runs"), std::string::npos) << ran.err;
+  }
+  const std::string snapshots = std::string("'").append(folder.path("run.h5")).append("' ");
+  ASSERT_EQ(run_program("convert " + dumps + "--out " + snapshots).code, 0);
+  EXPECT_EQ(run_program("average " + snapshots + "--snapshots " + snapshots + rings).code, 2);
+}
+
 TEST(SeveralRuns, AreTheSameOnRanks) {
-  const std::string arguments = "average " + dumps + dumps + dumps + rings + " --threads 1";
+  const Folder folder;
+  const std::string arguments =
+      "average " + dumps + further_run(folder, 1) + further_run(folder, 2) + rings + " --threads 1";
   const Ran alone = run_program(arguments);
   EXPECT_EQ(run_on_ranks(2, arguments).out, alone.out);
 }

@@ -192,6 +192,30 @@ TEST(Fit, ExactTableGivesItsParameters) {
     EXPECT_FALSE(std::isnan(number(key))) << key;
 }
 
+TEST(Fit, TellsTheUnitOfTheColumn) {
+  const Folder folder;
+  const auto fit = [&](const std::string& comments, const std::string& options) {
+    return run_program(
+        "fit '" + folder.write("t.csv", comments + "r,r_inner,sigma_rr\n1,1,8\n2,2,4\n3,3,2.5\n4,4,1\n") +
+        "' --column sigma_rr" + options);
+  };
+  const std::string unit = "# column sigma_rr [Pa] (seed Eq. 16) stress\n";
+  EXPECT_NE(fit(unit, "").out.find(" Pa (95 %"), std::string::npos);
+  EXPECT_NE(fit("", "").out.find("the table does not tell the unit"), std::string::npos);
+  EXPECT_EQ(fit(unit, " --omega 2").err,
+            "mikromakro: --omega: sigma_rr is no velocity; expected a column in m/s, got Pa\n");
+}
+
+TEST(Fit, TablesWithoutAProfileAreRefused) {
+  const Folder folder;
+  const std::string box = folder.write("b.csv", "x,y,v_phi\n1,1,2\n");
+  EXPECT_NE(run_program("fit '" + box + "'").err.find("the table is not one of rings"), std::string::npos);
+  const std::string zeros = folder.write("z.csv", "r,r_inner,v_phi\n1,1,0\n2,2,0\n3,3,0\n4,4,0\n");
+  const Ran ran = run_program("fit '" + zeros + "'");
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_NE(ran.err.find("there is nothing to fit"), std::string::npos) << ran.err;
+}
+
 TEST(Fit, TooFewRingsAreAFailedRun) {
   const Ran ran = run_program("fit good/profile.csv --range 0 2.5");
   EXPECT_EQ(ran.code, 1);

@@ -33,6 +33,7 @@ const Numbers of_pair = {{"id1", "1"},          {"id2", "2"},         {"x1", "1"
 
 std::string dump(const std::vector<std::string>& names, const Numbers& numbers) {
   std::vector<std::string> row;
+  row.reserve(names.size());
   for (const std::string& name : names) row.push_back(name == "-" ? "word" : numbers.at(name));
   std::vector<std::string> columns;
   columns.reserve(row.size());

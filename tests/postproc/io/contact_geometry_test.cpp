@@ -271,5 +271,17 @@ TEST(IdMap, FindsIdsThatAreDenseOrFarApart) {
   }
 }
 
+// A disc of radius 6 in a box of 10 touches itself: one contact, from whichever side it is seen.
+TEST(JoinContacts, ADiscTouchesItsImageOnce) {
+  const std::vector<Particle> one = {disc(1, 5, 5, 6)};
+  for (const double side : {1.0, -1.0}) {
+    ContactRows rows;
+    add_row(rows, {{id1, 1}, {id2, 1}, {nx, side}, {ny, 0}, {overlap, 2}});
+    EXPECT_EQ(join_all(rows, one, box_of_ten(true)).size(), 1U);
+    add_row(rows, {{id1, 1}, {id2, 1}, {nx, -1}, {ny, 0}, {overlap, 2}});
+    EXPECT_THROW(join_all(rows, one, box_of_ten(true)), Error);
+  }
+}
+
 }  // namespace
 }  // namespace mikromakro

@@ -175,5 +175,57 @@ TEST(FrameStream, WhatIsNotNeededNeedNotBeThere) {
   EXPECT_THROW(read_all(needs_mass), Error);
 }
 
+std::string contacts_with_places(std::int64_t step, double x2) {
+  return header(step, "ENTRIES", 1, "id1 id2 x1 y1 x2 y2 nx ny overlap fx fy") + "900 3 1 2 " +
+         std::to_string(x2) + " 2 1 0 0.05 -7 1\n";
+}
+
+// Steps 0 to 39, of which one has rows that put disc 3 elsewhere.
+std::string what_is_said(const FrameSelection& selection, int wrong) {
+  const Folder folder;
+  std::string discs, rows;
+  for (int step = 0; step < 40; ++step) {
+    discs += particles(step);
+    rows += contacts_with_places(step, step == wrong ? 2.1 : 1.7);
+  }
+  FrameSource source{{folder.write("p", discs)}, {folder.write("c", rows)}, {}, {}, 0, 0, selection};
+  source.contacts_needed = column_set(ContactColumn::fx, ContactColumn::fy, ContactColumn::overlap);
+  try {
+    read_all(source);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// Columns that are not needed cost time: they are looked at in frame 0 and every 32nd of the selected ones.
+TEST(FrameStream, ChecksWhatIsNotNeededNowAndThen) {
+  const FrameSelection all;
+  EXPECT_EQ(what_is_said(all, -1), "");
+  EXPECT_NE(what_is_said(all, 0).find("disc 3 is not where the row says"), std::string::npos);
+  EXPECT_NE(what_is_said(all, 32).find("disc 3 is not where the row says"), std::string::npos);
+  EXPECT_EQ(what_is_said(all, 31), "");
+  FrameSelection later;
+  select_frames("7:", later);
+  EXPECT_NE(what_is_said(later, 7).find("disc 3 is not where the row says"), std::string::npos);
+  FrameSelection by_step;
+  select_steps("3:35", by_step);
+  EXPECT_NE(what_is_said(by_step, 35).find("disc 3 is not where the row says"), std::string::npos);
+}
+
+TEST(FrameStream, BoxesOfOneStepHaveOneBoundary) {
+  const Folder folder;
+  std::string other = contacts(5);
+  other.replace(other.find("pp ff"), 5, "ff ff");
+  FrameSource source{{folder.write("p", particles(5))}, {folder.write("c", other)}, {}, {}, 0, 0, {}};
+  try {
+    read_all(source);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("the box is not that of the particles"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("got -5 5 not periodic"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace mikromakro

@@ -40,6 +40,7 @@ TEST(Notes, FramesThatAreReadTwiceCountOnce) {
 TEST(Notes, AnyThreadMayAdd) {
   Notes notes;
   std::vector<std::jthread> threads;
+  threads.reserve(4);
   for (int i = 0; i < 4; ++i)
     threads.emplace_back([&notes, i] {
       for (std::int64_t step = 0; step < 1000; ++step) notes.add("rows", 4 * step + i, 2);

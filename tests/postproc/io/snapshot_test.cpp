@@ -190,5 +190,31 @@ TEST(Snapshots, NumbersThatAreNotFiniteAreNamedByTheirRow) {
   }
 }
 
+// The force is there twice, as fx fy and as fn ft; only one of them is needed.
+TEST(Snapshots, ForcesThatContradictThemselvesAreAnError) {
+  const Folder folder;
+  RawFrame raw = long_frame();
+  raw.contacts.given |= column_set(ContactColumn::fx, ContactColumn::fy, ContactColumn::ft);
+  for (ContactRow& row : raw.contacts.rows) {
+    row.value[static_cast<std::size_t>(ContactColumn::fx)] = -row[ContactColumn::fn];
+    row.value[static_cast<std::size_t>(ContactColumn::fy)] = 2;
+    row.value[static_cast<std::size_t>(ContactColumn::ft)] = 2;
+  }
+  const auto read = [&](const std::string& name) {
+    SnapshotWriter writer(folder.path(name), "test 1", 0);
+    writer.add(raw, raw.particles);
+    writer.close();
+    FrameSource source;
+    source.snapshot_files = {folder.path(name)};
+    source.contacts_needed = column_set(ContactColumn::fx, ContactColumn::fy);
+    FrameStream stream(source);
+    Frame frame;
+    return stream.next(frame);
+  };
+  EXPECT_TRUE(read("right.h5"));
+  raw.contacts.rows[600].value[static_cast<std::size_t>(ContactColumn::fy)] = -2;
+  EXPECT_THROW(read("wrong.h5"), Error);
+}
+
 }  // namespace
 }  // namespace mikromakro

@@ -1,0 +1,169 @@
+#include "io/overlapping_discs.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "io/contact_tolerance.h"
+
+namespace mikromakro {
+namespace {
+
+using Eigen::Vector2d;
+
+// The cells of a grid that a disc may reach, along one axis.
+struct Cells {
+  std::int64_t begin = 0, count = 1;
+};
+
+// A grid without end, in which each disc stands in all the cells that its bounding square reaches; along a
+// periodic axis the cells are those of the box. Far cells may share a bucket, which costs time only.
+class Grid {
+ public:
+  Grid(const std::vector<Particle>& discs, const Box& box) : low_(box.low) {
+    double sum = 0, largest = 0;
+    for (const Particle& disc : discs) {
+      sum += disc.radius;
+      largest = std::max(largest, disc.radius);
+    }
+    // A disc among much smaller ones would stand in thousands of cells.
+    constexpr double most_cells_across = 16;
+    const double wanted = std::max(2 * sum / static_cast<double>(std::max<std::size_t>(1, discs.size())),
+                                   2 * largest / most_cells_across);
+    const Vector2d length = box.length();
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+      cell_[axis] = wanted;
+      if (!box.periodic[static_cast<std::size_t>(axis)] || !(length[axis] > 0)) continue;
+      length_[axis] = length[axis];
+      around_[axis] = std::max<std::int64_t>(1, static_cast<std::int64_t>(length[axis] / wanted));
+      cell_[axis] = length[axis] / static_cast<double>(around_[axis]);
+    }
+    fill(discs);
+  }
+
+  std::size_t buckets() const { return begin_.size() - 1; }
+  std::span<const int> discs_in(std::size_t bucket) const {
+    return std::span(entries_).subspan(begin_[bucket], begin_[bucket + 1] - begin_[bucket]);
+  }
+  Vector2d nearest(Vector2d branch) const {
+    for (Eigen::Index axis = 0; axis < 2; ++axis)
+      if (length_[axis] > 0) branch[axis] -= length_[axis] * std::round(branch[axis] / length_[axis]);
+    return branch;
+  }
+
+ private:
+  Cells cells_of(const Particle& disc, Eigen::Index axis) const {
+    const double from = (disc.position[axis] - disc.radius - low_[axis]) / cell_[axis];
+    const double to = (disc.position[axis] + disc.radius - low_[axis]) / cell_[axis];
+    // Lost discs may be anywhere.
+    constexpr double farthest = 1e15;
+    Cells cells{static_cast<std::int64_t>(std::floor(std::clamp(from, -farthest, farthest)))};
+    cells.count =
+        static_cast<std::int64_t>(std::floor(std::clamp(to, -farthest, farthest))) - cells.begin + 1;
+    if (around_[axis] > 0) cells.count = std::min(cells.count, around_[axis]);
+    return cells;
+  }
+
+  std::int64_t wrapped(std::int64_t cell, Eigen::Index axis) const {
+    const std::int64_t around = around_[axis];
+    return around > 0 ? ((cell % around) + around) % around : cell;
+  }
+
+  template <typename Visit>
+  void visit_buckets(const Particle& disc, Visit visit) const {
+    const Cells along_x = cells_of(disc, 0), along_y = cells_of(disc, 1);
+    for (std::int64_t i = 0; i < along_x.count; ++i)
+      for (std::int64_t j = 0; j < along_y.count; ++j) {
+        constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U, other = 0xc2b2ae3d27d4eb4fU;
+        std::uint64_t hash = static_cast<std::uint64_t>(wrapped(along_x.begin + i, 0)) * odd +
+                             static_cast<std::uint64_t>(wrapped(along_y.begin + j, 1)) * other;
+        hash ^= hash >> 32U;
+        visit(hash & (begin_.size() - 2));
+      }
+  }
+
+  // Counted first, then sorted into their places.
+  void fill(const std::vector<Particle>& discs) {
+    begin_.assign(std::bit_ceil(2 * discs.size() + 1) + 1, 0);
+    for (const Particle& disc : discs) visit_buckets(disc, [&](std::size_t bucket) { ++begin_[bucket + 1]; });
+    for (std::size_t bucket = 1; bucket < begin_.size(); ++bucket) begin_[bucket] += begin_[bucket - 1];
+    entries_.resize(begin_.back());
+    std::vector<std::size_t> next(begin_.begin(), std::prev(begin_.end()));
+    for (int i = 0; i < std::ssize(discs); ++i)
+      visit_buckets(discs[static_cast<std::size_t>(i)],
+                    [&](std::size_t bucket) { entries_[next[bucket]++] = i; });
+  }
+
+  Vector2d low_;
+  Vector2d cell_ = Vector2d::Zero();
+  Vector2d length_ = Vector2d::Zero();                 // 0 along an axis that is not periodic
+  Eigen::Matrix<std::int64_t, 2, 1> around_ = {0, 0};  // cells of the box
+  std::vector<std::size_t> begin_;                     // of each bucket in entries_
+  std::vector<int> entries_;                           // indices of discs
+};
+
+using Indices = std::pair<int, int>;
+
+bool is_averaged(const Particle& disc, const std::vector<int>& types) {
+  return types.empty() || std::find(types.begin(), types.end(), disc.type) != types.end();
+}
+
+}  // namespace
+
+std::vector<DiscPair> overlapping_discs(const std::vector<Particle>& discs, const Box& box) {
+  const Grid grid(discs, box);
+  std::vector<DiscPair> pairs;
+  for (std::size_t bucket = 0; bucket < grid.buckets(); ++bucket) {
+    const auto inside = grid.discs_in(bucket);
+    for (std::size_t i = 0; i < inside.size(); ++i)
+      for (std::size_t j = i + 1; j < inside.size(); ++j) {
+        const Particle& one = discs[static_cast<std::size_t>(inside[i])];
+        const Particle& two = discs[static_cast<std::size_t>(inside[j])];
+        const double reach = one.radius + two.radius;
+        const Vector2d branch = grid.nearest(two.position - one.position);
+        if (inside[i] == inside[j] || !(branch.squaredNorm() < reach * reach)) continue;
+        pairs.push_back({inside[i], inside[j], reach - branch.norm()});
+      }
+  }
+  // Pairs may share several cells.
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+void note_overlaps(const RawFrame& raw, const std::vector<Contact>& contacts, const ContactRules& rules) {
+  const std::vector<Particle>& discs = raw.particles;
+  std::vector<Indices> listed;
+  for (const Contact& contact : contacts)
+    if (!contact.with_wall()) listed.emplace_back(std::minmax(contact.index1, contact.index2));
+  std::sort(listed.begin(), listed.end());
+  const ContactTolerance tolerance(raw.contacts, discs, raw.place_error);
+  std::int64_t unlisted = 0, on_one_another = 0;
+  for (const DiscPair& pair : overlapping_discs(discs, raw.box)) {
+    const Particle& one = discs[static_cast<std::size_t>(pair.first)];
+    const Particle& two = discs[static_cast<std::size_t>(pair.second)];
+    if (!is_averaged(one, rules.averaged_types) && !is_averaged(two, rules.averaged_types)) continue;
+    const double smaller = std::min(one.radius, two.radius);
+    if (pair.overlap > 0.5 * smaller) ++on_one_another;
+    if (!raw.with_contacts ||
+        std::binary_search(listed.begin(), listed.end(), Indices(pair.first, pair.second)))
+      continue;
+    if (pair.overlap > tolerance.of_geometry(smaller, one.radius + two.radius, not_given, false)) ++unlisted;
+  }
+  if (on_one_another > 0)
+    rules.notes->add(
+        "discs lie on one another, by more than half a radius (a periodic box that is too short, or a "
+        "packing "
+        "that is there twice?); looked for now and then",
+        raw.step, on_one_another);
+  if (unlisted > 0)
+    rules.notes->add(
+        "discs overlap but have no row of a contact, which stress, fabric and coordination lack (rows of a "
+        "group only, or of another run?); looked for now and then",
+        raw.step, unlisted);
+}
+
+}  // namespace mikromakro
