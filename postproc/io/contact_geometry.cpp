@@ -42,10 +42,15 @@ class Joiner {
     for (Eigen::Index axis = 0; axis < 2; ++axis)
       if (!discs.box.periodic[static_cast<std::size_t>(axis)] || length_[axis] <= 0) length_[axis] = 0;
     wraps_ = !length_.isZero();
+    constexpr ColumnSet looked_at = place_columns | components_of_force | column_set(dist, periodic, shearx);
+    const ColumnSet given = rows.given_in_all();
+    plain_ = rows.wall_file.empty() && (given & looked_at) == 0 &&
+             ((whole_geometry | force_columns) & ~given) == 0;
   }
 
   /// False where the row is no contact.
   bool join(std::size_t i, Contact& contact) const {
+    if (plain_ && join_plain(rows_.rows[i], contact)) return true;
     const Row row{rows_.rows[i], rows_.given_in(i), i};
     contact.id1 = static_cast<std::int64_t>(row[id1]);
     contact.id2 = static_cast<std::int64_t>(row[id2]);
@@ -82,6 +87,31 @@ class Joiner {
 
   const Particle& disc(int index) const { return discs_.particles[static_cast<std::size_t>(index)]; }
 
+  /// What nearly all rows of most files are, a contact of two discs with normal, overlap and force that fit,
+  /// in a few operations. False where it is anything else.
+  bool join_plain(const ContactRow& row, Contact& contact) const {
+    contact.id1 = static_cast<std::int64_t>(row[id1]);
+    contact.id2 = static_cast<std::int64_t>(row[id2]);
+    contact.index1 = discs_.ids.find(contact.id1);
+    contact.index2 = discs_.ids.find(contact.id2);
+    contact.normal = {row[nx], row[ny]};
+    contact.overlap = row[overlap];
+    contact.force = {row[fx], row[fy]};
+    contact.spring = row[xi];
+    if (contact.with_wall() || contact.index1 < 0 || contact.index2 < 0 || contact.id1 == contact.id2)
+      return false;
+    const Particle& one = disc(contact.index1);
+    const Particle& two = disc(contact.index2);
+    const double reach = one.radius + two.radius;
+    const double slack =
+        tolerance_.of_geometry(std::min(one.radius, two.radius), reach, contact.overlap, false);
+    return contact.overlap > 0 && fits(contact, two.position - one.position, reach, slack);
+  }
+
+  bool fits(const Contact& contact, const Vector2d& between, double reach, double slack) const {
+    return nearest(between - (reach - contact.overlap) * contact.normal).squaredNorm() <= slack * slack;
+  }
+
   /// Normal and overlap of two discs, checked or derived; gives the tolerance.
   double join_discs(const Row& row, Contact& contact) const {
     const Particle& one = disc(contact.index1);
@@ -98,12 +128,9 @@ class Joiner {
     const double reach = one.radius + two.radius;
     const double told = row.has(overlap) ? row[overlap] : row.has(dist) ? row[dist] : not_given;
     const double slack = tolerance_.of_geometry(std::min(one.radius, two.radius), reach, told, by_row);
-    if (!by_row && row.has(whole_geometry) && !row.has(dist)) {
-      // What nearly all rows are, in a few operations.
-      const Vector2d apart =
-          nearest(two.position - one.position - (reach - contact.overlap) * contact.normal);
-      if (apart.squaredNorm() <= slack * slack) return slack;
-    }
+    if (!by_row && row.has(whole_geometry) && !row.has(dist) &&
+        fits(contact, two.position - one.position, reach, slack))
+      return slack;
     check_branch(row, branch_of(row, two.position - one.position, reach, by_row, slack), reach, slack,
                  contact);
     return slack;
@@ -302,6 +329,7 @@ class Joiner {
   const ContactRules& rules_;
   Vector2d length_;  ///< 0 along an axis that is not periodic
   bool wraps_ = false;
+  bool plain_ = false;  ///< rows without anything that join_plain does not look at
   ContactTolerance tolerance_;
 };
 

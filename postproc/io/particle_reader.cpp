@@ -17,6 +17,7 @@ double positive(double value, std::string_view what, const Place& place) {
 }
 
 std::int64_t counting(double value, std::string_view what, const Place& place) {
+  if (value >= 1 && is_integer(value)) return static_cast<std::int64_t>(value);
   const std::int64_t number = as_integer(value, what, place);
   if (number < 1)
     throw bad_input(place, fmt::format("{} below 1", what), "1 or more", fmt::format("{}", number));

@@ -60,7 +60,7 @@ TEST(MercuryInput, GivesTheAveragesOfTheSameDiscsInDumps) {
 TEST(MercuryInput, CanBeConvertedToHdf5) {
   const Folder folder;
   const std::string files = "--particles good/mercury.data --contacts good/mercury.fstat --density 0.25 ";
-  const std::string file = "'" + folder.path("m.h5") + "'";
+  const std::string file = fmt::format("'{}'", folder.path("m.h5"));
   EXPECT_EQ(run_program("convert " + files + "--out " + file).code, 0);
   const Ran from_file = run_program("average " + file + rings);
   EXPECT_EQ(numbers(from_file.out), numbers(run_program("average " + files + rings).out)) << from_file.err;
