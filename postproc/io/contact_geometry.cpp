@@ -42,10 +42,14 @@ class Joiner {
     for (Eigen::Index axis = 0; axis < 2; ++axis)
       if (!discs.box.periodic[static_cast<std::size_t>(axis)] || length_[axis] <= 0) length_[axis] = 0;
     wraps_ = !length_.isZero();
-    constexpr ColumnSet looked_at = place_columns | components_of_force | column_set(dist, periodic, shearx);
     const ColumnSet given = rows.given_in_all();
-    plain_ = rows.wall_file.empty() && (given & looked_at) == 0 &&
-             ((whole_geometry | force_columns) & ~given) == 0;
+    const auto all = [given](ColumnSet columns) { return (columns & ~given) == 0; };
+    const auto none = [given](ColumnSet columns) { return (columns & given) == 0; };
+    plain_ = rows.wall_file.empty() && all(whole_geometry | force_columns) &&
+             none(column_set(dist, periodic, shearx));
+    with_places_ = all(place_columns);
+    with_components_ = !none(components_of_force);
+    plain_ = plain_ && (with_components_ ? all(components_of_force) : true);
   }
 
   /// False where the row is no contact.
@@ -105,7 +109,9 @@ class Joiner {
     const double reach = one.radius + two.radius;
     const double slack =
         tolerance_.of_geometry(std::min(one.radius, two.radius), reach, contact.overlap, false);
-    return contact.overlap > 0 && fits(contact, two.position - one.position, reach, slack);
+    return contact.overlap > 0 && fits(contact, two.position - one.position, reach, slack) &&
+           (!with_places_ || (is_at(row, x1, y1, one) && is_at(row, x2, y2, two))) &&
+           (!with_components_ || are_components(row, contact));
   }
 
   bool fits(const Contact& contact, const Vector2d& between, double reach, double slack) const {
@@ -155,11 +161,24 @@ class Joiner {
     return slack;
   }
 
-  void check_place(const Row& row, ContactColumn x, ContactColumn y, const Particle& disc) const {
-    const Vector2d told = row.place(x, y);
-    const Vector2d apart = nearest(told - disc.position);
+  bool is_at(const ContactRow& row, ContactColumn x, ContactColumn y, const Particle& disc) const {
+    const Vector2d apart = nearest(Vector2d(row[x], row[y]) - disc.position);
     const double allowed = tolerance_.of_place(disc.radius);
-    if (std::abs(apart.x()) <= allowed && std::abs(apart.y()) <= allowed) return;
+    return std::abs(apart.x()) <= allowed && std::abs(apart.y()) <= allowed;
+  }
+
+  /// Within the digits of the force alone, as the normal is exact.
+  static bool are_components(const ContactRow& row, const Contact& contact) {
+    const double f_n = -contact.force.dot(contact.normal);
+    const double f_t = contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x()));
+    const double allowed = six_digits * contact.force.lpNorm<1>();
+    return std::abs(row[fn] - f_n) <= allowed && std::abs(row[ft] - f_t) <= allowed;
+  }
+
+  void check_place(const Row& row, ContactColumn x, ContactColumn y, const Particle& disc) const {
+    if (is_at(row.numbers, x, y, disc)) return;
+    const Vector2d told = row.place(x, y);
+    const double allowed = tolerance_.of_place(disc.radius);
     throw bad_input(
         rows_.place(row.index),
         fmt::format("disc {} is not where the row says (another run or step, or ids that have "
@@ -330,6 +349,7 @@ class Joiner {
   Vector2d length_;  ///< 0 along an axis that is not periodic
   bool wraps_ = false;
   bool plain_ = false;  ///< rows without anything that join_plain does not look at
+  bool with_places_ = false, with_components_ = false;
   ContactTolerance tolerance_;
 };
 
@@ -356,16 +376,14 @@ void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>
 std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& discs,
                                    const ContactRules& rules) {
   const Joiner joiner(rows, discs, rules);
-  std::vector<Contact> contacts;
-  std::vector<std::size_t> row_of;
-  contacts.reserve(rows.rows.size());
-  row_of.reserve(rows.rows.size());
-  Contact contact;
+  std::vector<Contact> contacts(rows.rows.size());
+  std::vector<std::size_t> row_of(rows.rows.size());
+  std::size_t count = 0;
   for (std::size_t i = 0; i < rows.rows.size(); ++i) {
-    if (!joiner.join(i, contact)) continue;
-    contacts.push_back(contact);
-    row_of.push_back(i);
+    row_of[count] = i;
+    if (joiner.join(i, contacts[count])) ++count;
   }
+  contacts.resize(count);
   check_pairs(contacts, row_of, rows, discs.box);
   check_springs_pull_back(rows, contacts);
   const auto left_out = static_cast<std::int64_t>(rows.rows.size() - contacts.size());
