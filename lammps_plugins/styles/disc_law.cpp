@@ -115,7 +115,7 @@ void DiscLaw::find_integrators() {
   bool all_predict = true;
   for (int k = 0; k < modify->nfix; ++k) {
     if (std::strncmp(modify->fix[k]->style, "nve", 3) != 0) continue;
-    const auto* integrator = dynamic_cast<const FixNveDisc*>(modify->fix[k]);
+    auto* integrator = dynamic_cast<FixNveDisc*>(modify->fix[k]);
     all_predict = all_predict && integrator && integrator->predicts_velocities();
     if (integrator) integrators_.push_back(integrator);
   }

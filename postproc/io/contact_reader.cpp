@@ -85,8 +85,8 @@ std::string with_hint(std::string_view what, bool guessed) {
 
 void check_across(double across, double x, double y, std::string_view name, const Place& place) {
   if (std::abs(across) <= plane_tolerance * (std::abs(x) + std::abs(y))) return;
-  throw bad_input(place, "the contact is not in the plane", fmt::format("{} 0", name),
-                  fmt::format("{}", across));
+  throw bad_input(place, "the contact is not in the plane (columns of other quantities?)",
+                  fmt::format("{} 0", name), fmt::format("{}", across));
 }
 
 void check_plane(Slots& row, ColumnSet given, const Place& place) {

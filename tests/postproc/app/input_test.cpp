@@ -149,6 +149,9 @@ TEST(SeveralRuns, AreRefusedWhereTheyAreOne) {
   const std::string snapshots = std::string("'").append(folder.path("run.h5")).append("' ");
   ASSERT_EQ(run_program("convert " + dumps + "--out " + snapshots).code, 0);
   EXPECT_EQ(run_program("average " + snapshots + "--snapshots " + snapshots + rings).code, 2);
+  // In one file their steps would come twice.
+  const Ran both = run_program("convert " + dumps + further_run(folder, 1) + "--out " + snapshots);
+  EXPECT_NE(both.err.find("a file holds one run"), std::string::npos) << both.err;
 }
 
 TEST(SeveralRuns, AreTheSameOnRanks) {
