@@ -124,7 +124,9 @@ void visit_overlaps(const std::vector<Particle>& discs, const Box& box, Visit vi
 }
 
 void sort_out(std::vector<DiscPair>& pairs) {
-  std::sort(pairs.begin(), pairs.end());
+  std::sort(pairs.begin(), pairs.end(), [](const DiscPair& a, const DiscPair& b) {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+  });
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
