@@ -221,6 +221,7 @@ void DiscLaw::evaluate(const Evaluation& evaluation) {
   packed_.open = evaluation.is_step && will_stay_open();
   recording_ = evaluation.is_step && schedule_.due(*update, *output);
   if (recording_) applied_.clear();
+  for (FixNveDisc* integrator : integrators_) integrator->send_to_ghosts();
   if (atom->nlocal > 0) {
     const bool observed = recording_ || evaluation.is_observed;
     evaluated_step_ = update->ntimestep;

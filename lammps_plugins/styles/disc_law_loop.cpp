@@ -168,7 +168,6 @@ void DiscLaw::begin_and_end_contacts(ContactBatch& c, int first, int count, doub
 /// Rows and near pairs for the present places.
 template <Effects effects>
 void DiscLaw::prepare(const Evaluation& evaluation) {
-  for (FixNveDisc* integrator : integrators_) integrator->send_to_ghosts();
   const bool rows_are_there = packed_.step == update->ntimestep && neighbor->ago != 0;
   const Change change = gather<effects.tangential != Tangential::none>(rows_are_there ? atom->nlocal : 0);
   const bool new_pairs = neighbor->ago == 0 || !pairs_known_;
