@@ -107,10 +107,11 @@ class Joiner {
     const Particle& one = disc(contact.index1);
     const Particle& two = disc(contact.index2);
     const double reach = one.radius + two.radius;
-    const double slack =
-        tolerance_.of_geometry(std::min(one.radius, two.radius), reach, contact.overlap, false);
+    const double smaller = std::min(one.radius, two.radius);
+    const double slack = tolerance_.of_geometry(smaller, reach, contact.overlap, false);
+    const double allowed = tolerance_.of_place(smaller);
     return contact.overlap > 0 && fits(contact, two.position - one.position, reach, slack) &&
-           (!with_places_ || (is_at(row, x1, y1, one) && is_at(row, x2, y2, two))) &&
+           (!with_places_ || (is_at(row, x1, y1, one, allowed) && is_at(row, x2, y2, two, allowed))) &&
            (!with_components_ || are_components(row, contact));
   }
 
@@ -161,9 +162,9 @@ class Joiner {
     return slack;
   }
 
-  bool is_at(const ContactRow& row, ContactColumn x, ContactColumn y, const Particle& disc) const {
+  bool is_at(const ContactRow& row, ContactColumn x, ContactColumn y, const Particle& disc,
+             double allowed) const {
     const Vector2d apart = nearest(Vector2d(row[x], row[y]) - disc.position);
-    const double allowed = tolerance_.of_place(disc.radius);
     return std::abs(apart.x()) <= allowed && std::abs(apart.y()) <= allowed;
   }
 
@@ -176,9 +177,9 @@ class Joiner {
   }
 
   void check_place(const Row& row, ContactColumn x, ContactColumn y, const Particle& disc) const {
-    if (is_at(row.numbers, x, y, disc)) return;
-    const Vector2d told = row.place(x, y);
     const double allowed = tolerance_.of_place(disc.radius);
+    if (is_at(row.numbers, x, y, disc, allowed)) return;
+    const Vector2d told = row.place(x, y);
     throw bad_input(
         rows_.place(row.index),
         fmt::format("disc {} is not where the row says (another run or step, or ids that have "

@@ -100,6 +100,20 @@ void PackedNumbers::unpack_as(std::size_t first, std::span<Number> numbers) cons
   }
 }
 
+std::span<const double> PackedNumbers::in_place(std::size_t first, std::size_t count) const {
+  if (kind_ != Kind::real) return {};
+  for (const Piece& piece : pieces_) {
+    if (first >= piece.count) {
+      first -= piece.count;
+      continue;
+    }
+    if (count > piece.count - first) return {};
+    // As the allocation of a chunk is aligned for any number.
+    return {reinterpret_cast<const double*>(piece.chunk->numbers()) + piece.begin + first, count};
+  }
+  return {};
+}
+
 void PackedNumbers::unpack(std::size_t first, std::span<double> numbers) const {
   unpack_as(first, numbers);
 }

@@ -45,6 +45,8 @@ class PackedNumbers {
   /// The numbers from number `first` on. Throws where the chunk is damaged.
   void unpack(std::size_t first, std::span<double> numbers) const;
   void unpack(std::size_t first, std::span<std::int64_t> numbers) const;
+  /// The same numbers where they lie; empty where they must be unpacked. Throws where the chunk is damaged.
+  std::span<const double> in_place(std::size_t first, std::size_t count) const;
 
  private:
   struct Piece {

@@ -64,20 +64,31 @@ void check_finite(std::span<const double> numbers, const std::function<Place(std
                   "a finite number", fmt::format("{}", *bad));
 }
 
+// Numbers of a block, unpacked into `buffer` where they cannot be read in place.
+std::span<const double> numbers_of(const Stripe& stripe, std::size_t begin, std::size_t rows,
+                                   std::vector<double>& buffer) {
+  const auto& [packed, first, width] = stripe;
+  const std::span<const double> in_place = packed->in_place(begin * width, rows * width);
+  if (!in_place.empty()) return in_place;
+  buffer.resize(rows * width);
+  packed->unpack(begin * width, buffer);
+  return buffer;
+}
+
 // The rows from row `begin` of the frame on. Throws where a number is not finite.
 template <typename Row>
 void fill_block(const std::vector<Stripe>& stripes, std::size_t begin, std::span<Row> block,
                 const std::string& file) {
-  std::vector<double> numbers;
-  for (const auto& [packed, first, width] : stripes) {
-    numbers.resize(block.size() * width);
-    packed->unpack(begin * width, numbers);
-    check_finite(numbers, [&, width = width](std::size_t number) {
+  std::vector<double> buffer;
+  for (const Stripe& stripe : stripes) {
+    const std::size_t width = stripe.width;
+    const std::span<const double> numbers = numbers_of(stripe, begin, block.size(), buffer);
+    check_finite(numbers, [&](std::size_t number) {
       return Place{file, static_cast<std::int64_t>(begin + number / width) + 1};
     });
     for (std::size_t axis = 0; axis < width; ++axis)
       for (std::size_t i = 0; i < block.size(); ++i)
-        slots_of(block[i])[first + axis] = numbers[i * width + axis];
+        slots_of(block[i])[stripe.first + axis] = numbers[i * width + axis];
   }
 }
 
@@ -283,12 +294,13 @@ void SnapshotReader::Packed::unpack_particles(RawFrame& frame) const {
   ParticleSlots empty;
   empty.fill(not_given);
   std::vector<ParticleSlots> block;
+  Place row{place, 0};
   for (std::size_t begin = 0; begin < count; begin += block.size()) {
     block.assign(std::min(rows_of_block, count - begin), empty);
     fill_block(stripes, begin, std::span(block), place);
-    for (std::size_t i = 0; i < block.size(); ++i) {
-      const Place row{place, static_cast<std::int64_t>(begin + i) + 1};
-      frame.particles.push_back(particle_of(block[i], particles_given, row));
+    for (const ParticleSlots& slots : block) {
+      ++row.line;
+      frame.particles.push_back(particle_of(slots, particles_given, row));
     }
   }
 }
