@@ -166,6 +166,15 @@ void FixAveMicromacro::end_of_step() {
     averaged_.add(frame.step, averager_->frame_sums(frame));
     if (update->ntimestep % write_every_ == 0) write();
   });
+  told_when_ = told_when_ || update->ntimestep % write_every_ == 0;
+}
+
+void FixAveMicromacro::run_ended() {
+  if (told_when_) return;
+  told_when_ = true;
+  const LAMMPS_NS::bigint next = (update->ntimestep / write_every_ + 1) * write_every_;
+  tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): nothing is written yet: Nfreq = " +
+                 std::to_string(write_every_) + " makes the first table in step " + std::to_string(next));
 }
 
 void FixAveMicromacro::write() {

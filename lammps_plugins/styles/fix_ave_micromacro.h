@@ -41,6 +41,7 @@ class FixAveMicromacro : public FixWithClock, public ContactObserver, public Fil
  protected:
   int calls_wanted() const override;
   void count_steps_anew(LAMMPS_NS::bigint shift) override;
+  void run_ended() override;
 
  private:
   void parse(std::vector<std::string> words);
@@ -49,7 +50,8 @@ class FixAveMicromacro : public FixWithClock, public ContactObserver, public Fil
 
   LAMMPS_NS::bigint write_every_ = 0;
   AverageOptions options_;
-  bool windows_ = false;  // each file has its own frames only
+  bool told_when_ = false;  // or has written
+  bool windows_ = false;    // each file has its own frames only
   std::unique_ptr<const Averager> averager_;
   Averaged averaged_;  // on the first rank
 };

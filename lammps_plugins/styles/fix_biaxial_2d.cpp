@@ -55,6 +55,7 @@ void FixBiaxial2d::once_defined() {
 
 void FixBiaxial2d::init() {
   notice_new_count();
+  saved_walls_.tell_of_those_left(*lmp);
   follow_time_step(update->ntimestep);
   check_rectangle();
   walls_.init(smooth_walls());

@@ -15,7 +15,7 @@
 namespace mikromakro::styles {
 
 FixCouette2d::FixCouette2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
-    : FixWithClock(lmp, narg, arg), walls_(*lmp, style) {
+    : FixWithClock(lmp, narg, arg), walls_(*lmp, style), saved_walls_(*lmp, style) {
   restart_global = 1;
   restart_peratom = 1;
   scalar_flag = vector_flag = 1;
@@ -62,6 +62,7 @@ void FixCouette2d::once_defined() {
 
 void FixCouette2d::init() {
   notice_new_count();
+  saved_walls_.tell_of_those_left(*lmp);
   follow_time_step(update->ntimestep);
   check_groups();
   check_radii();

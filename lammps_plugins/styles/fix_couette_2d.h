@@ -39,6 +39,7 @@
 #include "physics/ring_motion.h"
 #include "physics/step_clock.h"
 #include "smooth_walls.h"
+#include "walls_of_restart.h"
 
 namespace mikromakro::styles {
 
@@ -109,6 +110,7 @@ class FixCouette2d : public FixWithClock, public WallContactSource {
   physics::StepClock clock_;
   double** references_ = nullptr;  // per atom: unit vector of the reference angle; zero: none yet
   SmoothWalls walls_;              // of the smooth rings
+  WallsOfRestart saved_walls_;
   DiscLaw* law_ = nullptr;
   PackedDiscs* packed_ = nullptr;            // of the disc law, if there is one
   std::array<std::vector<int>, 2> members_;  // local numbers of the wall discs of both rings

@@ -9,6 +9,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
+#include "first_rank.h"
 #include "modify.h"
 #include "update.h"
 
@@ -54,6 +55,7 @@ void FixWallDisc::once_defined() {
 
 void FixWallDisc::init() {
   notice_new_count();
+  saved_walls_.tell_of_those_left(*lmp);
   follow_time_step(update->ntimestep);
   int before = 0;
   for (int k = 0; k < modify->nfix && modify->fix[k] != this; ++k)
@@ -189,7 +191,11 @@ void FixWallDisc::write_restart(FILE* file) {
 void FixWallDisc::restart(char* buffer) {
   SavedState state;
   std::memcpy(&state, buffer, sizeof state);
-  if (!same_place(state.wall, settings_.wall)) return;
+  if (!same_place(state.wall, settings_.wall)) {
+    tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
+                   "): not where the restart file has it: it begins anew at the place that the script gives");
+    return;
+  }
   clock_ = physics::StepClock(state.elapsed, static_cast<LAMMPS_NS::bigint>(state.step_of_clock), state.dt);
   // The steps may have been counted anew between read_restart and here.
   clock_.shift_steps(update->ntimestep - static_cast<LAMMPS_NS::bigint>(state.step_of_file));

@@ -10,7 +10,7 @@
 namespace mikromakro::styles {
 
 FixWithWalls::FixWithWalls(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : FixWithClock(engine, narg, arg), walls_(*engine, style) {
+    : FixWithClock(engine, narg, arg), walls_(*engine, style), saved_walls_(*engine, style) {
   restart_global = restart_peratom = 1;
   has_values_of_atoms(SmoothWalls::largest_size);
   if (domain->dimension != 2) stop(*lmp, style, "expected 'dimension 2', got dimension 3");

@@ -6,6 +6,7 @@
 
 #include "dialect.h"
 #include "smooth_walls.h"
+#include "walls_of_restart.h"
 
 namespace mikromakro::styles {
 
@@ -39,6 +40,7 @@ class FixWithWalls : public FixWithClock, public WallContactSource {
   void keep_springs_with_atoms();
 
   SmoothWalls walls_;
+  WallsOfRestart saved_walls_;
 };
 
 }  // namespace mikromakro::styles

@@ -7,6 +7,7 @@
 #include "app/coverage.h"
 #include "app/progress.h"
 #include "app/warnings.h"
+#include "averaging/repeated_frames.h"
 #include "io/error.h"
 #include "io/file_list.h"
 #include "options/value_checks.h"
@@ -62,7 +63,10 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
     };
     sum_in_order(next, look_and_sum, threads_of(options, ranks), take);
   };
+  RepeatedFrames repeated;
   ranks.gather_in_order(read_and_sum, [&](const FrameSums& frame) {
+    if (!source.further_runs.empty() && repeated.add(frame))
+      source.notes->add("frames are the same in two runs and count twice (one run in two forms?)", frame.step);
     averaged.add(frame.step, frame.sums, frame.run);
     progress.update(bytes, averaged.sums.frames());
   });

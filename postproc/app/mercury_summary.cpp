@@ -24,7 +24,7 @@ struct MercurySummary {
   double largest_radius = 0;
 
   void add_particles(const MercuryBlock& block) {
-    box = block.header.box;
+    box = block.header.box.value_or(Box{});
     counts_by_type.clear();
     ColumnSet given = 0;
     for (const Particle& particle : mercury_particles(block, 0, given)) {

@@ -43,6 +43,9 @@ void check(const TimestepOptions& o) {
   require_friction(o.gammat > 0, "--gammat", o);
   require(o.gammat >= 0, "--gammat", "a number from 0 on (kg/s)", o.gammat);
   require(std::isnan(o.mu) || o.mu >= 0, "--mu", "a number from 0 on", o.mu);
+  if (o.mu > 0 && std::isnan(o.kt) && !(o.gammat > 0))
+    throw bad_input({"--mu"}, "there is no tangential force that it could limit",
+                    "--kt (a spring) or --gammat above 0 (Eq. 1) beside it", "neither");
   require(std::isnan(o.velocity) || o.velocity > 0, "--velocity", "a speed above 0 (m/s)", o.velocity);
   require(std::isnan(o.error) || o.error > 0, "--error", "a number above 0", o.error);
 }

@@ -37,6 +37,12 @@ PeriodicImages::Axis PeriodicImages::axis_of(const Box& box, const Box& part, Ei
 
 PeriodicImages::Row PeriodicImages::Axis::row(double x, double reach) const {
   if (period == 0) return {x, 0, 1};
+  // So far away that rounding takes more than a millionth of the box from the place of its image.
+  constexpr double farthest = 1e9;
+  if (!(std::abs(x - low) < farthest * period))
+    throw bad_input({"periodic box"}, "a disc is too far away to have an image in it",
+                    fmt::format("places within {} lengths of the box, {}", farthest, period),
+                    fmt::format("{}", x));
   if (reach > 0)
     return {x, std::ceil((low - reach - x) / period), std::floor((high + reach - x) / period) + 1};
   const double first = wrapped(x, low, period);

@@ -24,4 +24,10 @@ void KineticStress::solve(const VolumeData& volumes, const ConstRowsRef& sums, R
   }
 }
 
+std::string KineticStress::note(const ConstRowsRef& sums) const {
+  const bool without = sums.rows() > 0 && sums.col(0).array().isNaN().any();
+  return without ? "kinetic stress: not in all frames are there masses (--density gives them), not defined"
+                 : "";
+}
+
 }  // namespace mikromakro

@@ -17,6 +17,7 @@ class KineticStress : public Field {
   int sums() const override { return 7; }
   void add_disc(const Disc& disc, std::span<double> quantity) const override;
   void solve(const VolumeData& volumes, const ConstRowsRef& sums, RowsRef columns) const override;
+  std::string note(const ConstRowsRef& sums) const override;
 };
 
 }  // namespace mikromakro

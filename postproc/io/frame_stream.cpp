@@ -8,6 +8,7 @@
 #include "io/id_map.h"
 #include "io/mercury_frames.h"
 #include "io/overlapping_discs.h"
+#include "io/plausible_forces.h"
 #include "io/run_sequence.h"
 #include "io/snapshot_reader.h"
 
@@ -90,7 +91,10 @@ void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   note_boundaries(raw, rules.notes);
   if (raw.with_contacts)
     frame.contacts = join_contacts(raw.contacts, {raw.particles, ids, raw.box, raw.place_error}, rules);
-  if (raw.closely && rules.notes != nullptr) note_overlaps(raw, frame.contacts, rules);
+  // A frame without any contact is rare, or lacks them.
+  const bool without = raw.with_contacts && frame.contacts.empty();
+  if ((raw.closely || without) && rules.notes != nullptr) note_overlaps(raw, frame.contacts, rules);
+  if (raw.closely) note_forces(frame.contacts, rules);
   // The rows are read anew for the next frame.
   frame.particles.swap(raw.particles);
   convert(raw.units, raw, frame);

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "io/mercury_rows.h"
+#include "io/same_box.h"
 
 namespace mikromakro {
 namespace {
@@ -18,6 +22,28 @@ void check_wishes(const std::string& file, const ColumnWishes& wishes) {
   const ColumnMap contacts{{}, mercury_contact_columns};
   const ColumnNames names{contact_names().known, contact_names().ignored, ""};
   if (wishes.contacts_needed != 0) require_columns(contacts, wishes.contacts_needed, names, place);
+}
+
+// Radii of interaction are larger where there is cohesion, which therefore stops nothing.
+void note_other_radii(const RawFrame& frame, const MercuryBlock& contacts, Notes& notes) {
+  if (!contacts.header.radii || frame.particles.empty()) return;
+  const auto [smallest, largest] = std::minmax_element(
+      frame.particles.begin(), frame.particles.end(),
+      [](const Particle& one, const Particle& other) { return one.radius < other.radius; });
+  constexpr double digits = 1e-5;
+  const auto differs = [](double told, double radius) { return std::abs(told - radius) > digits * radius; };
+  if (differs(contacts.header.radii->smallest, smallest->radius) ||
+      differs(contacts.header.radii->largest, largest->radius))
+    notes.add(fmt::format("{}: the radii in the header are not those of the particles (of another run? "
+                          "radii of interaction?)",
+                          contacts.file),
+              frame.step);
+}
+
+void check_same_run(const RawFrame& frame, const MercuryBlock& contacts, Notes& notes) {
+  if (contacts.header.box)
+    check_same_box(frame.box, *contacts.header.box, {contacts.file, contacts.header.line - 1});
+  note_other_radii(frame, contacts, notes);
 }
 
 }  // namespace
@@ -42,12 +68,13 @@ UnpackFrame MercuryFrames::take(bool) {
   return [step = step_, wishes = wishes_, blocks](RawFrame& frame) {
     const MercuryBlock& particles = *blocks.front();
     frame.step = step;
-    frame.box = particles.header.box;
+    frame.box = particles.header.box.value_or(Box{});
     frame.particle_file = particles.file;
     frame.first_particle_line = particles.header.line + 1;
     frame.particles = mercury_particles(particles, wishes.particles_needed, frame.particles_given);
     frame.with_contacts = blocks.size() > 1;
     if (!frame.with_contacts) return;
+    check_same_run(frame, *blocks.back(), *wishes.notes);
     frame.contacts = mercury_contacts(*blocks.back(), frame.particles);
     frame.contacts.needed = wishes.contacts_needed;
   };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "io/row_parser.h"
 
@@ -22,9 +23,19 @@ bool begins_with_digit(std::string_view word) {
   return !word.empty() && word[0] >= '0' && word[0] <= '9';
 }
 
-void check_box(const Box& box, const Place& place, std::string_view line) {
+// Of the lower and the upper bounds of two or three dimensions.
+Box box_of(std::span<const std::string_view> bounds, const Place& place) {
+  Box box;
+  box.boundaries_known = false;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto index = static_cast<Eigen::Index>(axis);
+    box.low[index] = parse_number(bounds[axis], place);
+    box.high[index] = parse_number(bounds[bounds.size() / 2 + axis], place);
+  }
   if ((box.low.array() > box.high.array()).any())
-    throw bad_input(place, "box bounds are not in order", "low <= high", in_quotes(line));
+    throw bad_input(place, "box bounds are not in order", "low <= high",
+                    in_quotes(fmt::format("{}", fmt::join(bounds, " "))));
+  return box;
 }
 
 }  // namespace
@@ -84,14 +95,8 @@ bool MercuryDataReader::next_header(MercuryHeader& header) {
   header.rows = parse_integer(found[0], place);
   if (header.rows < 0) throw bad_input(place, "negative number of rows", "0 or more", in_quotes(line));
   header.time = parse_number(found[1], place);
-  header.box.boundaries_known = false;
   const std::size_t dimensions = found.size() / 2 - 1;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const auto index = static_cast<Eigen::Index>(axis);
-    header.box.low[index] = parse_number(found[2 + axis], place);
-    header.box.high[index] = parse_number(found[2 + dimensions + axis], place);
-  }
-  check_box(header.box, place, line);
+  header.box = box_of(std::span(found).subspan(2), place);
   header.columns = dimensions == 2 ? 8 : 14;
   header.line = lines_.line();
   header.step = frames_++;
@@ -105,6 +110,15 @@ bool MercuryFstatReader::recognises(const std::string& file) {
   return next_word(rest) == comment && begins_with_digit(next_word(rest));
 }
 
+std::vector<std::string_view> MercuryFstatReader::header_words(std::string_view expected) {
+  std::string_view line;
+  if (!lines_.next(line))
+    throw bad_input(lines_.place(), "the file ends within a header", expected, "the end of the file");
+  if (!line.starts_with(comment))
+    throw bad_input(lines_.place(), "not the header of an .fstat frame", expected, in_quotes(line));
+  return words(line.substr(comment.size()));
+}
+
 bool MercuryFstatReader::next_header(MercuryHeader& header) {
   std::string_view line;
   if (!next_frame(line, "an .fstat file")) return false;
@@ -114,12 +128,11 @@ bool MercuryFstatReader::next_header(MercuryHeader& header) {
   header = {};
   header.time = parse_number(found[1], lines_.place());
   header.columns = 16;
-  for (const std::string_view expected : {"# with the bounds", "# with the radii"}) {
-    if (!lines_.next(line))
-      throw bad_input(lines_.place(), "the file ends within a header", expected, "the end of the file");
-    if (!line.starts_with(comment))
-      throw bad_input(lines_.place(), "not the header of an .fstat frame", expected, in_quotes(line));
-  }
+  const auto bounds = header_words("# with the bounds");
+  if (bounds.size() == 6) header.box = box_of(bounds, lines_.place());
+  const auto radii = header_words("# with the radii");
+  if (radii.size() >= 2)
+    header.radii = Radii{parse_number(radii[0], lines_.place()), parse_number(radii[1], lines_.place())};
   header.line = lines_.line();
   header.step = frames_++;
   rows_ = to_the_next_header;

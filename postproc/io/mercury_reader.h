@@ -9,19 +9,26 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/frame.h"
 #include "io/line_reader.h"
 
 namespace mikromakro {
 
+/// Of the particles of a frame, m.
+struct Radii {
+  double smallest = 0, largest = 0;
+};
+
 /// What stands above the rows of one frame: in .data `N time xmin ymin xmax ymax` (rows of 8 columns) or
-/// `N time xmin ymin zmin xmax ymax zmax` (14 columns), in .fstat three lines that begin with #, the time in
-/// the first of them.
+/// `N time xmin ymin zmin xmax ymax zmax` (14 columns), in .fstat three lines that begin with #: the time,
+/// the bounds, and the smallest and the largest radius of interaction, which is the radius without cohesion.
 struct MercuryHeader {
   double time = 0;
-  std::int64_t rows = 0;  ///< .data only
-  Box box;                ///< .data only
+  std::int64_t rows = 0;       ///< .data only
+  std::optional<Box> box;      ///< .fstat: where its second line holds six bounds
+  std::optional<Radii> radii;  ///< .fstat: where its third line begins with them
   int columns = 0;
   std::int64_t line = 0;  ///< the last one of the header
 
@@ -88,6 +95,9 @@ class MercuryFstatReader : public MercuryReader {
   /// Whether a file begins as .fstat files do, with # and the time.
   static bool recognises(const std::string& file);
   bool next_header(MercuryHeader& header);
+
+ private:
+  std::vector<std::string_view> header_words(std::string_view expected);
 };
 
 }  // namespace mikromakro

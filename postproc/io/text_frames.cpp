@@ -7,6 +7,7 @@
 #include "io/contact_presets.h"
 #include "io/contact_reader.h"
 #include "io/particle_reader.h"
+#include "io/same_box.h"
 
 namespace mikromakro {
 namespace {
@@ -37,24 +38,6 @@ ContactRows contacts_of(const Blocks& pieces, const ContactFormat& format, Colum
     piece == pieces.front() ? void(contacts = std::move(rows)) : contacts.append(rows);
   }
   return contacts;
-}
-
-// Dumps of one step of one run have one box.
-void check_box(const RowBlock& particles, const RowBlock& contacts) {
-  const Box &one = particles.header.box, &other = contacts.header.box;
-  constexpr double digits = 1e-5;  // of the shorter of both formats
-  const double allowed = digits * one.length().norm();
-  const double apart = std::fmax((one.low - other.low).lpNorm<Eigen::Infinity>(),
-                                 (one.high - other.high).lpNorm<Eigen::Infinity>());
-  const bool boundaries_differ =
-      one.boundaries_known && other.boundaries_known && one.periodic != other.periodic;
-  if (!(apart > allowed) && !boundaries_differ) return;
-  const auto text = [](const Box& box) {
-    return fmt::format("{:.9g} {:.9g} {} {:.9g} {:.9g} {}", box.low.x(), box.high.x(), box.boundary(0),
-                       box.low.y(), box.high.y(), box.boundary(1));
-  };
-  throw bad_input({contacts.file, contacts.header.line},
-                  "the box is not that of the particles (another run?)", text(one), text(other));
 }
 
 void note_missing_forces(const Blocks& contacts, const ColumnWishes& wishes) {
@@ -130,7 +113,8 @@ struct TextFrames::Packed {
 
   void unpack_contacts(RawFrame& frame) const {
     for (const Blocks* files : {&contacts, &walls})
-      for (const auto& piece : *files) check_box(*particles.front(), *piece);
+      for (const auto& piece : *files)
+        check_same_box(particles.front()->header.box, piece->header.box, {piece->file, piece->header.line});
     if (!contacts.empty())
       frame.contacts =
           contacts_of(contacts, {wishes->contact_columns, false, closely}, wishes->contacts_needed);

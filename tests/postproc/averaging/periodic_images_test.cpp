@@ -82,5 +82,11 @@ TEST(PeriodicImages, TooManyAreAnError) {
   EXPECT_THROW(images(both, cell, {1, 1}, 1e300), Error);
 }
 
+TEST(PeriodicImages, OfPlacesThatAreTooFarAreNotKnown) {
+  EXPECT_EQ(images(both, cell, {4e8 + 1, 1}, 0), (Places{{1, 1}}));
+  EXPECT_THROW(images(both, cell, {1e300, 1}, 0), Error);
+  EXPECT_THROW(images(both, cell, {1, -1e300}, 0.5), Error);
+}
+
 }  // namespace
 }  // namespace mikromakro

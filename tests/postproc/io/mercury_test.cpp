@@ -1,6 +1,8 @@
 // The two discs, the fixed disc and the wall of particles.dump and contacts.dump, as MercuryDPM writes them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "io/frame_stream.h"
 #include "text_file.h"
 
@@ -76,6 +78,26 @@ TEST(MercurySprings, AreAgainstTheTangentialForce) {
   const auto frames = read(good + "mercury.data", folder.write("f", text));
   EXPECT_EQ(frames[0].contacts[0].spring, -0.01);
   EXPECT_EQ(frames[0].contacts[1].spring, 0);
+}
+
+// Radii of interaction may be larger than radii, so that those of another run are told and not refused.
+TEST(MercuryRadii, OfAnotherRunAreTold) {
+  const Folder folder;
+  std::string text = read_text(good + "mercury.fstat");
+  const auto notes = [&] {
+    FrameSource source;
+    source.particle_files = {good + "mercury.data"};
+    source.contact_files = {folder.write("f.fstat", text)};
+    Frame frame;
+    FrameStream(source).next(frame);
+    return source.notes->lines();
+  };
+  for (const std::string& line : notes()) EXPECT_EQ(line.find("radii"), std::string::npos) << line;
+  text.replace(text.find("# 0.125 0.5 "), 12, "# 0.125 0.501 ");
+  const auto told = notes();
+  EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const std::string& line) {
+    return line.find("the radii in the header are not those of the particles") != std::string::npos;
+  }));
 }
 
 // m = rho h pi a^2, and one line where it is asked for and cannot be known.

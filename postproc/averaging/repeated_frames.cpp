@@ -1,0 +1,28 @@
+#include "averaging/repeated_frames.h"
+
+#include <algorithm>
+
+namespace mikromakro {
+
+bool RepeatedFrames::same(const Seen& one, const Seen& other) {
+  constexpr double digits = 1e-4;
+  const auto differs = (one.sums - other.sums).abs() > digits * one.sizes.max(other.sizes);
+  return (one.sizes > 0).any() && (one.sums.isNaN() == other.sums.isNaN()).all() && !differs.any();
+}
+
+bool RepeatedFrames::add(const FrameSums& frame) {
+  const Eigen::ArrayXd place =
+      Eigen::ArrayXd::LinSpaced(frame.sums.rows(), 1, static_cast<double>(frame.sums.rows()));
+  Seen seen{frame.run, (frame.sums.colwise() * place).colwise().sum().transpose(),
+            (frame.sums.abs().colwise() * place).colwise().sum().transpose()};
+  const bool moves = last_.sums.size() == 0 || last_.run != seen.run || !same(last_, seen);
+  std::vector<Seen>& at_this_step = by_step_[frame.step];
+  const bool again = moves && std::any_of(at_this_step.begin(), at_this_step.end(), [&](const Seen& earlier) {
+                       return earlier.run != seen.run && same(earlier, seen);
+                     });
+  last_ = seen;
+  at_this_step.push_back(std::move(seen));
+  return again;
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,47 @@
+#include "averaging/repeated_frames.h"
+
+#include <gtest/gtest.h>
+
+namespace mikromakro {
+namespace {
+
+FrameSums frame(std::int64_t run, std::int64_t step, double first, double second) {
+  FrameSums sums;
+  sums.run = run;
+  sums.step = step;
+  sums.sums = Rows::Zero(2, 2);
+  sums.sums << first, 1, second, 1;
+  return sums;
+}
+
+TEST(RepeatedFrames, AreKnownByTheirSumsWithinTheDigitsOfADump) {
+  RepeatedFrames frames;
+  EXPECT_FALSE(frames.add(frame(0, 100, 3, 5)));
+  EXPECT_FALSE(frames.add(frame(0, 200, 4, 6)));
+  EXPECT_TRUE(frames.add(frame(1, 200, 4.00001, 6)));  // a part of the run, printed with six digits
+  EXPECT_FALSE(frames.add(frame(1, 300, 4, 6)));       // another step
+  EXPECT_FALSE(frames.add(frame(2, 100, 3.01, 5)));    // another packing
+  EXPECT_FALSE(frames.add(frame(2, 200, 6, 4)));       // the same total elsewhere
+}
+
+TEST(RepeatedFrames, AreNoneWhereNothingMovesOrNothingIs) {
+  RepeatedFrames frames;
+  for (const std::int64_t run : {0, 1}) {
+    EXPECT_FALSE(frames.add(frame(run, 100, 3 + 0.1 * static_cast<double>(run), 5)));
+    EXPECT_FALSE(frames.add(frame(run, 200, 3 + 0.1 * static_cast<double>(run), 5)));
+  }
+  RepeatedFrames rigid;
+  EXPECT_FALSE(rigid.add(frame(0, 100, 3, 5)));
+  EXPECT_FALSE(rigid.add(frame(0, 200, 3, 5)));
+  EXPECT_TRUE(rigid.add(frame(1, 100, 3, 5)));  // one packing at the start of both
+  EXPECT_FALSE(rigid.add(frame(1, 200, 3, 5)));
+  RepeatedFrames empty;
+  for (const std::int64_t run : {0, 1}) {
+    FrameSums nothing = frame(run, 100, 0, 0);
+    nothing.sums.setZero();
+    EXPECT_FALSE(empty.add(nothing));
+  }
+}
+
+}  // namespace
+}  // namespace mikromakro
