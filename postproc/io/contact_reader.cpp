@@ -52,7 +52,15 @@ ColumnMap map_contacts(const DumpHeader& header, const ContactFormat& format, co
   const auto list =
       expand_preset(unnamed && format.walls ? preset : format.list, header, format.walls, place);
   if (!list.empty()) return map_option(list, header.columns.size(), names, place);
-  if (format.walls || !is_our_compute(header.columns)) return map_header(header.columns, names, place);
+  if (format.walls || !is_our_compute(header.columns)) {
+    ColumnMap named = map_header(header.columns, names, place);
+    if (named.given == 0 && header.columns.front().starts_with("c_"))
+      throw bad_input(place, "columns without names (give them by --contact-columns)",
+                      fmt::format("the {} of compute contact/disc in their order", contact_disc_columns),
+                      fmt::format("{} from {} to {}", header.columns.size(), header.columns.front(),
+                                  header.columns.back()));
+    return named;
+  }
   ColumnMap map;
   for (int slot = 0; slot < contact_disc_columns; ++slot) map.slot_of_column.push_back(slot);
   map.given = (ColumnSet{1} << static_cast<unsigned>(contact_disc_columns)) - 1;
