@@ -66,7 +66,8 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
   RepeatedFrames repeated;
   ranks.gather_in_order(read_and_sum, [&](const FrameSums& frame) {
     if (!source.further_runs.empty() && repeated.add(frame))
-      source.notes->add("frames are the same in two runs and count twice (one run in two forms?)", frame.step);
+      source.notes->add("frames are the same in two runs and count twice (one run in two forms?)",
+                        frame.step);
     averaged.add(frame.step, frame.sums, frame.run);
     progress.update(bytes, averaged.sums.frames());
   });
