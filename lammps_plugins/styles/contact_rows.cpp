@@ -1,12 +1,15 @@
 #include "contact_rows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <iterator>
 
 #include "atom.h"
+#include "comm.h"
 #include "compute.h"
 #include "disc_law.h"
+#include "domain.h"
 #include "engine_access.h"
 #include "modify.h"
 #include "output.h"
@@ -17,6 +20,16 @@ namespace mikromakro::styles {
 using namespace LAMMPS_NS;
 
 namespace {
+
+/// The same contact where the discs stand now.
+AppliedContact moved(const Atom& atom, AppliedContact c) {
+  const double x = atom.x[c.j][0] - atom.x[c.i][0], y = atom.x[c.j][1] - atom.x[c.i][1];
+  const double distance = std::hypot(x, y);
+  c.n_x = x / distance;
+  c.n_y = y / distance;
+  c.overlap = atom.radius[c.i] + atom.radius[c.j] - distance;
+  return c;
+}
 
 ContactRow row_of(const Atom& atom, const AppliedContact& c) {
   const double *x_1 = atom.x[c.i], *x_2 = atom.x[c.j];
@@ -68,12 +81,15 @@ bool append_contact_rows(LAMMPS& engine, int group_bit, std::vector<ContactRow>&
   const auto* contacts = law ? law->applied_contacts() : nullptr;
   if (!contacts) return false;
   const Atom& atom = *engine.atom;
+  // A box that changes takes discs along after their forces were found, and dumps show them there.
+  const bool box_changes = engine.domain->box_change != 0;
+  if (box_changes) engine.comm->forward_comm();
   for (const auto& c : *contacts) {
     if (!(atom.mask[c.i] & group_bit) || !(atom.mask[c.j] & group_bit)) continue;
     // A contact across a rank boundary is evaluated on both sides; the side that owns the larger id reports
     // it.
     if (c.j >= atom.nlocal && atom.tag[c.i] <= atom.tag[c.j]) continue;
-    rows.push_back(row_of(atom, c));
+    rows.push_back(row_of(atom, box_changes ? moved(atom, c) : c));
   }
   const Modify& modify = *engine.modify;
   for (int k = 0; k < modify.nfix; ++k) {

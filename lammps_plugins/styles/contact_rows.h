@@ -58,7 +58,9 @@ class ContactSchedule {
 };
 
 /// Appends the contacts of this step between discs of the group, then those of such discs with walls; each
-/// contact on one rank only. False: the step was not recorded, or there is no disc law.
+/// contact on one rank only. Forces are those that were applied, geometry is that of now: a box that changes
+/// at the end of a step takes discs along. Called by all ranks together. False: the step was not recorded, or
+/// there is no disc law.
 bool append_contact_rows(LAMMPS_NS::LAMMPS& engine, int group_bit, std::vector<ContactRow>& rows);
 
 }  // namespace mikromakro::styles

@@ -2,6 +2,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -12,6 +13,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "compute.h"
+#include "disc_law.h"
 #include "engine_access.h"
 #include "error.h"
 #include "fix.h"
@@ -74,7 +76,14 @@ void warn(LAMMPS& engine, const std::string& text) {
   if (engine.comm->me == 0) engine.error->warning(FLERR, text.c_str());
 }
 
+bool moves_without_turning(const Fix& fix) {
+  constexpr std::array names = {"nve", "nve/limit", "nve/noforce", "nvt", "npt", "nph"};
+  return std::any_of(names.begin(), names.end(),
+                     [&](const char* name) { return std::strcmp(fix.style, name) == 0; });
+}
+
 void warn_of_integrators(LAMMPS& engine, const std::string& style) {
+  const bool friction = active_disc_law(engine)->effects().tangential != physics::Tangential::none;
   const Modify& modify = *engine.modify;
   bool any = false;
   for (int k = 0; k < modify.nfix; ++k) {
@@ -84,6 +93,13 @@ void warn_of_integrators(LAMMPS& engine, const std::string& style) {
       warn(engine, style + ": fix " + fix.id + " (" + fix.style +
                        ") turns discs with the moment of inertia of spheres, 2/5 m a^2; expected 'fix " +
                        fix.id + " ... nve/sphere disc' or nve/disc");
+  }
+  for (int k = 0; friction && k < modify.nfix; ++k) {
+    const Fix& fix = *modify.fix[k];
+    if (moves_without_turning(fix))
+      warn(engine, style + ": fix " + fix.id + " (" + fix.style +
+                       ") does not turn discs, on which friction acts; expected 'fix " + fix.id +
+                       " ... nve/disc'");
   }
   for (int k = 0; k < modify.ncompute; ++k) {
     const Compute& compute = *modify.compute[k];

@@ -81,6 +81,10 @@ bool DiscLaw::take_setting(Arguments& arguments) {
 }
 
 void DiscLaw::use_settings() {
+  if (tangential_damping_ && !effects_.spring())
+    fail(
+        "'tangential_damping on': expected 'tangential disc/cundall_strack', beside whose spring the dashpot "
+        "is");
   if (effects_.spring())
     effects_.tangential = tangential_damping_ ? Tangential::damped_spring : Tangential::spring;
   choose_loops();

@@ -42,6 +42,9 @@ struct AppliedContact {
 struct MaterialConstant {
   std::string name, unit;
   std::vector<double> values;
+  bool operator==(const MaterialConstant& other) const {
+    return name == other.name && unit == other.unit && values == other.values;
+  }
 };
 
 class DiscLaw : protected LAMMPS_NS::Pointers {

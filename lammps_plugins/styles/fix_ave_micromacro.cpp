@@ -6,6 +6,7 @@
 #include <set>
 
 #include "arguments.h"
+#include "atom.h"
 #include "comm.h"
 #include "disc_law.h"
 #include "engine_access.h"
@@ -129,25 +130,45 @@ void FixAveMicromacro::init() {
   if (!active_disc_law(*lmp))
     stop(*lmp, style, std::string("needs '") + disc_pair_style + "' before the run");
   check_outputs(*lmp, *this);
+  for (const int type : options_.volumes.bulk_types)
+    if (type > atom->ntypes)
+      stop(*lmp, style,
+           "bulk_types: expected types from 1 to " + std::to_string(atom->ntypes) + ", got " +
+               std::to_string(type));
 }
 
 void FixAveMicromacro::setup(int /*vflag*/) {
   warn_of_discs_outside(*lmp, *this);
-  warn_of_stiffness();
+  warn_of_constants();
+  warn_of_change();
 }
 
-/// E and G in units of k_n/h are those of the k_n that the fix was told.
-void FixAveMicromacro::warn_of_stiffness() const {
+void FixAveMicromacro::warn_of_change() {
+  auto constants = active_disc_law(*lmp)->given_constants();
+  if (!constants_.empty() && constants_ != constants && averaged_.sums.frames() > 0)
+    tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
+                   "): constants of the law have changed: the averages hold frames of before, too");
+  constants_ = std::move(constants);
+}
+
+/// E and G in units of k_n/h are those of the k_n that the fix was told, sliding those of its mu.
+void FixAveMicromacro::warn_of_constants() const {
+  warn_of("kn", "kn", options_.fields.numbers.normal_stiffness);
+  warn_of("coefficientFriction", "mu", options_.fields.numbers.friction_coefficient);
+}
+
+void FixAveMicromacro::warn_of(const std::string& name, const std::string& keyword, double told) const {
   constexpr double digits = 1e-6;
-  const double told = options_.fields.numbers.normal_stiffness;
   if (told == 0) return;
   for (const MaterialConstant& constant : active_disc_law(*lmp)->given_constants()) {
-    if (constant.name != "kn" || constant.unit != "N/m") continue;
+    if (constant.name != name) continue;
+    const bool hertz = constant.unit == "N/m^2";
     for (const double value : constant.values) {
-      if (std::abs(value - told) <= digits * told) continue;
-      const std::string text = std::string("fix ") + id + " (" + style + "): kn " + text_of(told) +
-                               " N/m is used, but the law has " + text_of(value) +
-                               " N/m, by types perhaps: E and G are in units of the first";
+      if (!hertz && std::abs(value - told) <= digits * told) continue;
+      std::string text = std::string("fix ") + id + " (" + style + "): " + keyword + " " + text_of(told);
+      text += hertz ? " N/m is used, but the law is Hertzian, whose kn is in N/m^2"
+                    : " is used, but the law has " + text_of(value) +
+                          ", by types perhaps: fields that take it are those of the first";
       if (comm->me == 0) error->warning(FLERR, text.c_str());
       return;
     }
@@ -182,6 +203,9 @@ void FixAveMicromacro::write() {
   const Preamble lines = {
       {"program", "mikromakro " MIKROMAKRO_VERSION " fix ave/micromacro"},
       {"run", std::string("group ") + group->names[igroup] + ", every " + std::to_string(nevery) + " steps"}};
+  if ((averaged_.sums.mean() == 0).all())
+    tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
+                   "): no disc lies in the volumes, or is of the types that are averaged");
   write_averages(options_, *averager_, averaged_, lines, outputs);
   if (windows_) averaged_ = {TimeAverage(options_.error_blocks), {}};
 }

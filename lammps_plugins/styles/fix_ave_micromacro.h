@@ -21,6 +21,7 @@
 
 #include "contact_rows.h"
 #include "dialect.h"
+#include "disc_law.h"
 #include "options/average_options.h"
 #include "output_names.h"
 
@@ -46,12 +47,15 @@ class FixAveMicromacro : public FixWithClock, public ContactObserver, public Fil
  private:
   void parse(std::vector<std::string> words);
   void write();
-  void warn_of_stiffness() const;
+  void warn_of_change();
+  void warn_of_constants() const;
+  void warn_of(const std::string& name, const std::string& keyword, double told) const;
 
   LAMMPS_NS::bigint write_every_ = 0;
   AverageOptions options_;
-  bool told_when_ = false;  // or has written
-  bool windows_ = false;    // each file has its own frames only
+  std::vector<MaterialConstant> constants_;  // of the first run
+  bool told_when_ = false;                   // or has written
+  bool windows_ = false;                     // each file has its own frames only
   std::unique_ptr<const Averager> averager_;
   Averaged averaged_;  // on the first rank
 };

@@ -9,6 +9,7 @@
 #include "disc_law.h"
 #include "engine_access.h"
 #include "error.h"
+#include "first_rank.h"
 #include "fix_biaxial_2d.h"
 #include "physics/contact_duration.h"
 #include "update.h"
@@ -148,7 +149,11 @@ void FixBiaxial2d::restart(char* buf) {
   for (int side = 0; side < 4; ++side) {
     const WallControl wanted = box_[side].control;
     box_[side] = state.box[side];
-    if (wanted != box_[side].control) begin(side, wanted);
+    if (wanted == box_[side].control) continue;
+    tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + biaxial_sides[side] +
+                   ": not the control of the restart file: it begins anew where the wall stands (after "
+                   "fix_modify, give the fix the last controls)");
+    begin(side, wanted);
   }
 }
 

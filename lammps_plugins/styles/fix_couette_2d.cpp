@@ -55,6 +55,7 @@ int FixCouette2d::calls_wanted() const {
 // After the state of a restart file, if there is one, has been taken over.
 void FixCouette2d::once_defined() {
   check_groups();
+  check_integrators();
   check_radii();
   adopt_new_wall_discs();
   walls_.check_cuts(smooth_rings_at(update->ntimestep));

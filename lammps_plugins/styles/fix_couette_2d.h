@@ -96,6 +96,7 @@ class FixCouette2d : public FixWithClock, public WallContactSource {
   [[nodiscard]] physics::PlaneVector from_centre(int i) const;
   void follow_time_step(LAMMPS_NS::bigint step);
   void check_groups();
+  void check_integrators() const;
   void check_radii();
   void adopt_new_wall_discs();
   void place_wall_discs(LAMMPS_NS::bigint step, bool velocities_only);

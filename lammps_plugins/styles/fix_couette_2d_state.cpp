@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include "atom.h"
 #include "comm.h"
@@ -12,6 +14,7 @@
 #include "fix_couette_2d.h"
 #include "group.h"
 #include "memory.h"
+#include "modify.h"
 #include "update.h"
 
 namespace mikromakro::styles {
@@ -23,13 +26,16 @@ const std::array<std::string, 2> side_names = {"inner", "outer"};
 
 // What a restart file holds besides the references: the clock, and what tells where the rings stood.
 struct SavedState {
+  std::int64_t format;
   double elapsed;
   double step_of_clock;
   double dt;
   double step_of_file;
   std::array<double, 2> angle_offset;
   std::array<double, 2> rotation_rate;
+  std::array<double, 2> radius;
 };
+constexpr std::int64_t saved_format = 0x636f756574746532;
 
 }  // namespace
 
@@ -62,6 +68,24 @@ void FixCouette2d::check_groups() {
   const physics::Annulus outline{settings_.centre.x, settings_.centre.y, 0.0,
                                  std::max(course.start, course.end) + largest};
   check_inside_box(*lmp, style, "the outer ring", outline.bounds());
+}
+
+/// This fix moves wall discs, and nobody else.
+void FixCouette2d::check_integrators() const {
+  for (int k = 0; k < modify->nfix; ++k) {
+    const Fix& other = *modify->fix[k];
+    const bool integrates = other.time_integrate || std::strncmp(other.style, "nve", 3) == 0;
+    if (&other == this || !integrates) continue;
+    int disc = std::numeric_limits<int>::max();
+    for (int i = 0; i < atom->nlocal; ++i)
+      if (ring_of(i) >= 0 && (atom->mask[i] & other.groupbit))
+        disc = std::min(disc, static_cast<int>(atom->tag[i]));
+    MPI_Allreduce(MPI_IN_PLACE, &disc, 1, MPI_INT, MPI_MIN, world);
+    if (disc == std::numeric_limits<int>::max()) continue;
+    stop(*lmp, style,
+         "the wall disc " + std::to_string(disc) + " is moved by fix " + other.id + " (" + other.style +
+             "), too; expected wall discs outside of its group");
+  }
 }
 
 // Names the disc that is farthest off its ring, relative to the radius.
@@ -137,12 +161,15 @@ int FixCouette2d::unpack_exchange(int nlocal, double* buf) {
 void FixCouette2d::write_restart(FILE* fp) {
   if (comm->me != 0) return;
   const auto& [inner, outer] = settings_.rings;
-  const SavedState state{clock_.elapsed(),
+  const Rings rings = rings_at(update->ntimestep);
+  const SavedState state{saved_format,
+                         clock_.elapsed(),
                          static_cast<double>(clock_.step()),
                          clock_.dt(),
                          static_cast<double>(update->ntimestep),
                          {inner.motion.angle_offset, outer.motion.angle_offset},
-                         {inner.motion.rotation_rate, outer.motion.rotation_rate}};
+                         {inner.motion.rotation_rate, outer.motion.rotation_rate},
+                         {rings[0].radius, rings[1].radius}};
   const int size = sizeof state;
   std::fwrite(&size, sizeof size, 1, fp);
   std::fwrite(&state, sizeof state, 1, fp);
@@ -151,6 +178,8 @@ void FixCouette2d::write_restart(FILE* fp) {
 void FixCouette2d::restart(char* buf) {
   SavedState state;
   std::memcpy(&state, buf, sizeof state);
+  if (state.format != saved_format)
+    stop(*lmp, style, "expected a restart file of this version, got the rings of another one");
   clock_ = physics::StepClock(state.elapsed, static_cast<LAMMPS_NS::bigint>(state.step_of_clock), state.dt);
   // The steps may have been counted anew between read_restart and here.
   clock_.shift_steps(update->ntimestep - static_cast<LAMMPS_NS::bigint>(state.step_of_file));
@@ -161,6 +190,12 @@ void FixCouette2d::restart(char* buf) {
     // A ring that is to turn at another rate from here on starts where it stands.
     if (motion.rotation_rate != state.rotation_rate[side])
       motion.angle_offset += (state.rotation_rate[side] - motion.rotation_rate) * time;
+    const double radius = motion.course.radius(time);
+    if (std::abs(radius - state.radius[side]) > radius_tolerance * radius)
+      stop(*lmp, style,
+           side_names[side] + " ring: expected the radius at which it stood in the restart file, " +
+               text_of(state.radius[side]) + ", got " + text_of(radius) +
+               " (of the fix's radius and 'compact' at that time)");
   }
 }
 

@@ -43,6 +43,8 @@ FixSnapshotDisc::FixSnapshotDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg
     }
   }
   if (file_.empty()) arguments.fail("expected 'file NAME.h5'");
+  if (file_.find('*') != std::string::npos)
+    arguments.fail("file: expected a name without *, since all frames go into one file, got '" + file_ + "'");
   // Found out before a long run starts.
   on_first_rank(*lmp, style, [this] { check_snapshot_name(file_); });
 }

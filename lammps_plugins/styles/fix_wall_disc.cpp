@@ -9,6 +9,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
+#include "error.h"
 #include "first_rank.h"
 #include "modify.h"
 #include "update.h"
@@ -68,6 +69,7 @@ void FixWallDisc::init() {
   MPI_Allreduce(MPI_IN_PLACE, &largest_radius_, 1, MPI_DOUBLE, MPI_MAX, world);
   const SmoothWall wall = wall_at(update->ntimestep);
   check_periodic_images(wall);
+  warn_outside_box(wall);
   walls_.init({wall});
   step_of_loads_ = -1;
 }
@@ -92,6 +94,33 @@ void FixWallDisc::check_periodic_images(const SmoothWall& wall) const {
   };
   check(domain->xperiodic != 0, wall.outward.x, wall.point.x, 0);
   check(domain->yperiodic != 0, wall.outward.y, wall.point.y, 1);
+}
+
+/// A fixed side of the box takes discs away before they come to a wall behind it.
+void FixWallDisc::warn_outside_box(const SmoothWall& wall) const {
+  const bool flat = wall.shape == WallShape::flat;
+  const auto open = [&](int axis) {
+    return domain->boundary[axis][0] == 1 && domain->boundary[axis][1] == 1;
+  };
+  const double* low = domain->boxlo;
+  const double* high = domain->boxhi;
+  bool outside = false;
+  if (flat && open(0) && open(1)) {
+    // All corners, the nearest one too, are away from the wall.
+    const PlaneVector nearest{wall.outward.x > 0 ? high[0] : low[0], wall.outward.y > 0 ? high[1] : low[1]};
+    outside = (nearest.x - wall.point.x) * wall.outward.x + (nearest.y - wall.point.y) * wall.outward.y < 0;
+  }
+  if (wall.shape == WallShape::circle_around) {
+    const double x = wall.point.x, y = wall.point.y, r = wall.radius;
+    outside =
+        (open(0) && (x - r < low[0] || x + r > high[0])) || (open(1) && (y - r < low[1] || y + r > high[1]));
+  }
+  if (outside && comm->me == 0)
+    error->warning(FLERR,
+                   ("fix " + std::string(id) + " (" + style +
+                    "): the wall stands outside of the box, where discs are lost before they reach it; "
+                    "expected a larger box, or shrink-wrapped boundaries")
+                       .c_str());
 }
 
 SmoothWall FixWallDisc::wall_at(LAMMPS_NS::bigint step) const {

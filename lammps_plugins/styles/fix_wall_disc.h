@@ -53,6 +53,7 @@ class FixWallDisc : public FixWithWalls {
   [[nodiscard]] physics::SmoothWall wall_at(LAMMPS_NS::bigint step) const;
   void follow_time_step(LAMMPS_NS::bigint step);
   void check_periodic_images(const physics::SmoothWall& wall) const;
+  void warn_outside_box(const physics::SmoothWall& wall) const;
   [[nodiscard]] double apply();  // returns the power of this rank's discs (W)
   [[nodiscard]] double sum_of_all_ranks(double value) const;
   const std::array<double, 4>& loads();

@@ -94,7 +94,8 @@ void SmoothWalls::check_cuts(const std::vector<physics::SmoothWall>& walls) cons
   MPI_Allreduce(MPI_IN_PLACE, &wall_of_worst, 1, MPI_INT, MPI_MAX, world);
   stop(*lmp, style_,
        names_[wall_of_worst] + ": expected a wall that cuts through no disc, got an overlap of " +
-           text_of(worst.depth) + " radii with disc " + std::to_string(worst.id));
+           text_of(worst.depth) + " radii with disc " + std::to_string(worst.id) +
+           (names_[wall_of_worst] == "plane" ? " (the normal NX NY points from the wall to the discs)" : ""));
 }
 
 void SmoothWalls::forget_unused_springs() {
@@ -214,11 +215,30 @@ void SmoothWalls::record(int i, int number, const physics::WallPoint& at, const 
         -force.f_n * n.y + force.f_t * n.x, force.f_n, force.f_t, force.xi, state.v_n, state.v_t}});
 }
 
+namespace {
+
+/// The disc of a wall contact may have been taken along since by a box that changes, by much less than a
+/// radius.
+void move_to(const double* place, ContactRow& row) {
+  const double x = place[0] - row[2], y = place[1] - row[3];
+  if (x == 0 && y == 0) return;
+  const double n_x = row[6], n_y = row[7], inwards = x * n_x + y * n_y;
+  row[2] = place[0];
+  row[3] = place[1];
+  row[4] += x - inwards * n_x;
+  row[5] += y - inwards * n_y;
+  row[8] += inwards;
+}
+
+}  // namespace
+
 bool SmoothWalls::append_contacts(int group_bit, std::vector<ContactRow>& rows) const {
   if (!any()) return true;
   if (recorded_step_ != update->ntimestep) return false;
   for (const Recorded& contact : recorded_) {
-    if (atom->mask[contact.disc] & group_bit) rows.push_back(contact.row);
+    if (!(atom->mask[contact.disc] & group_bit)) continue;
+    rows.push_back(contact.row);
+    move_to(atom->x[contact.disc], rows.back());
   }
   return true;
 }

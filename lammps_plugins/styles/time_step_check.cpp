@@ -180,6 +180,10 @@ void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& s
   }
   if (dt > t_c / physics::steps_per_contact * (1 + 1e-9))
     warn(engine, style + step + "t_c/50 " + contact + "; " + better + " would do");
+  constexpr double many_steps = 5000;
+  if (dt < t_c / many_steps)
+    warn(engine, style + ": time step " + shortest(dt) + " s is below t_c/5000 " + contact +
+                     " (was 'timestep' forgotten?); " + better + " would do");
 }
 
 }  // namespace mikromakro::styles

@@ -60,8 +60,8 @@ std::string differences_of_weights(const Comparison& comparison) {
     for (std::size_t r = 0; r < comparison.resolutions.size(); ++r) {
       const Eigen::ArrayXd reference = column_of(comparison, comparison.at(r, 0).table.rows, column);
       for (std::size_t w = 1; w < comparison.weights.size(); ++w) {
-        const Difference found =
-            difference(column_of(comparison, comparison.at(r, w).table.rows, column), reference);
+        const Difference found = difference(column_of(comparison, comparison.at(r, w).table.rows, column),
+                                            reference, comparison.columns[column].period);
         fmt::format_to(std::back_inserter(text),
                        "{:<{}} {:<{}} {:>10} {:<{}} {:>11.3e} {:>11.3e} {} {}  {} of {}\n",
                        comparison.columns[column].name, widths.name, comparison.columns[column].unit,

@@ -90,6 +90,9 @@ void take_stiffness(const FrameSource& source, const std::vector<int>& bulk_type
   for (const auto& [file, constants] : constants_of(source)) {
     const std::set<double> values = stiffnesses(constants, bulk_types);
     if (values.size() == 1) held.push_back({file, *values.begin()});
+    if (constants.hertz && fields.numbers.normal_stiffness > 0)
+      source.notes->add(fmt::format("--kn {} N/m is used, but {} is of a Hertzian law, whose kn is in N/m^2",
+                                    fields.numbers.normal_stiffness, file));
     if (values.size() > 1 && fields.numbers.normal_stiffness == 0 && takes_stiffness(fields))
       source.notes->add(
           fmt::format("{}: k_n is {} to {} N/m, by the types that touch: E and G are in Pa, not in k_n/h",

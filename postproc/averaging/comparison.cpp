@@ -51,14 +51,15 @@ class Extents {
 
 }  // namespace
 
-Difference difference(const Eigen::ArrayXd& values, const Eigen::ArrayXd& reference) {
+Difference difference(const Eigen::ArrayXd& values, const Eigen::ArrayXd& reference, double period) {
   double sum = 0;
   double largest = 0;
   double squares = 0;
   Eigen::Index rows = 0;
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i]) || !std::isfinite(reference[i])) continue;
-    const double size = std::abs(values[i] - reference[i]);
+    const double apart = values[i] - reference[i];
+    const double size = std::abs(period > 0 ? std::remainder(apart, period) : apart);
     sum += size;
     largest = std::max(largest, size);
     squares += reference[i] * reference[i];

@@ -16,8 +16,9 @@ struct Difference {
   Eigen::Index missing;  ///< in which either is not
 };
 
-/// `values` and `reference` have the same length. Never throws.
-Difference difference(const Eigen::ArrayXd& values, const Eigen::ArrayXd& reference);
+/// `values` and `reference` have the same length. Angles differ by half of their period (see Column) at most.
+/// Never throws.
+Difference difference(const Eigen::ArrayXd& values, const Eigen::ArrayXd& reference, double period = 0);
 
 /// The columns of `from` behind those that tell where its volumes lie, averaged over the volumes of `onto`:
 /// 1/V times the sum over all volumes of `from` of the volume that both have in common, where the columns are

@@ -21,9 +21,9 @@ double angle_of(const DiscContact& contact) {
 std::vector<Column> ContactAngles::columns(const Axes& axes) const {
   const std::string from = ", counter-clockwise from e_" + axes[0];
   return {{"contact_angle_h2_amplitude", "1", "seed Bild 6", "a_2 of the density of contact directions"},
-          {"contact_angle_h2_angle", "degree", "seed Bild 6", "its direction" + from + ", in (-90, 90]"},
+          {"contact_angle_h2_angle", "degree", "seed Bild 6", "its direction" + from + ", in (-90, 90]", 180},
           {"contact_angle_h4_amplitude", "1", "seed Bild 6", "a_4 of the density of contact directions"},
-          {"contact_angle_h4_angle", "degree", "seed Bild 6", "its direction" + from + ", in (-45, 45]"}};
+          {"contact_angle_h4_angle", "degree", "seed Bild 6", "its direction" + from + ", in (-45, 45]", 90}};
 }
 
 void ContactAngles::add_contacts(const Disc& disc, std::span<const DiscContact> contacts,
@@ -68,10 +68,22 @@ std::vector<Column> ContactAngleHistogram::columns(const Axes& axes) const {
 void ContactAngleHistogram::add_contacts(const Disc& disc, std::span<const DiscContact> contacts,
                                          std::span<double> quantity) const {
   for (const DiscContact& contact : contacts) {
-    const int bin = static_cast<int>(std::floor((angle_of(contact) + pi) / (2 * pi) * bins_));
+    const double place = (angle_of(contact) + pi) / (2 * pi) * bins_;
+    const auto add = [&](double bin, double part) {
+      // +180 degrees is -180 degrees.
+      const int at = (static_cast<int>(bin) + bins_) % bins_;
+      quantity[1 + static_cast<std::size_t>(at)] += part * disc.volume;
+    };
     quantity[0] += disc.volume;
-    // +180 degrees is -180 degrees.
-    quantity[1 + static_cast<std::size_t>(bin % bins_)] += disc.volume;
+    // Normals of smooth walls lie on edges of bins, and rounding would choose.
+    constexpr double rounding = 1e-5;
+    const double edge = std::round(place);
+    if (std::abs(place - edge) < rounding) {
+      add(edge - 1, 0.5);
+      add(edge, 0.5);
+    } else {
+      add(std::floor(place), 1);
+    }
   }
 }
 

@@ -21,8 +21,9 @@ class ContactAngles : public Field {
   void solve(const VolumeData& volumes, const ConstRowsRef& numbers, RowsRef columns) const override;
 };
 
-/// Part of the contacts (weight w V^p) in each of equal bins of theta from -180 to 180 degrees; sums to 1.
-/// nan where there is no contact.
+/// Part of the contacts (weight w V^p) in each of equal bins of theta from -180 to 180 degrees; sums to 1. A
+/// contact on the edge of two bins, to 1e-5 of their width, counts half in each. nan where there is no
+/// contact.
 class ContactAngleHistogram : public Field {
  public:
   explicit ContactAngleHistogram(int bins) : bins_(bins) {}

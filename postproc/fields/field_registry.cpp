@@ -149,6 +149,15 @@ std::vector<std::string_view> field_names_without_contacts() {
   return names;
 }
 
+std::vector<std::string> default_field_names(const FieldOptions& options) {
+  std::vector<std::string> names;
+  for (const Entry& entry : entries) {
+    const FieldPointer field = entry.make(options);
+    if (entry.by_default && field->missing_option().empty()) names.emplace_back(field->name());
+  }
+  return names;
+}
+
 FieldList make_fields(const std::vector<std::string>& names, const FieldOptions& options) {
   check_names(names);
   const bool all = contains(names, "all");

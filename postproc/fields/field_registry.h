@@ -28,6 +28,8 @@ using FieldList = std::vector<ListedField>;
 /// Names in the order of the output's columns: first those that are averaged when no names are given.
 const std::vector<std::string_view>& field_names();
 std::vector<std::string_view> default_field_names();
+/// Those of them that have a value with these options.
+std::vector<std::string> default_field_names(const FieldOptions& options);
 /// Those for which discs are enough.
 std::vector<std::string_view> field_names_without_contacts();
 

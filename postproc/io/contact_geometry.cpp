@@ -195,15 +195,12 @@ class Joiner {
     if (row[periodic] != 1)
       throw bad_input(rows_.place(row.index), "periodic is a flag", "0 or 1",
                       fmt::format("{}", row[periodic]));
-    if (!wraps_)
-      throw bad_input(rows_.place(row.index), "a contact through a periodic boundary in a box that has none",
-                      "a periodic box in the dump of particles ('ITEM: BOX BOUNDS pp ...')", "periodic = 1");
   }
 
   /// From disc 1 to the image of disc 2 that the row means. `between`: from centre to centre in the file.
   Vector2d branch_of(const Row& row, const Vector2d& between, double reach, bool by_row, double slack) const {
     if (by_row) {
-      const Vector2d branch = row_branch(row, reach + slack);
+      const Vector2d branch = row_branch(row, reach, slack);
       return tolerance_.discs_are_better() ? image_near(between, branch) : branch;
     }
     if (row.has(normal_columns)) {
@@ -216,13 +213,28 @@ class Joiner {
     return branch;
   }
 
-  /// As the places of the row say. Stock LIGGGHTS wraps those of rows that have periodic = 1.
-  Vector2d row_branch(const Row& row, double reach) const {
-    Vector2d branch = row.place(x2, y2) - row.place(x1, y1);
+  /// As the places of the row say. Stock LIGGGHTS gives periodic = 1 to contacts with any ghost, and wraps
+  /// their places: the partner is an image, or stands where it is, and belongs to another rank.
+  Vector2d row_branch(const Row& row, double reach, double slack) const {
+    const Vector2d branch = row.place(x2, y2) - row.place(x1, y1);
     if (row.has(periodic) && row[periodic] == 0) return branch;
-    if (row.has(periodic) && is_inside(row.place(x1, y1)) && is_inside(row.place(x2, y2)))
-      return nearest_other(branch);
-    return branch.norm() <= reach ? branch : nearest(branch);
+    if (row.has(periodic) && !wraps_ && branch.norm() > reach + slack)
+      throw bad_input(rows_.place(row.index), "a contact through a periodic boundary in a box that has none",
+                      "a periodic box in the dump of particles ('ITEM: BOX BOUNDS pp ...')", "periodic = 1");
+    if (row.has(periodic) && wraps_ && is_inside(row.place(x1, y1)) && is_inside(row.place(x2, y2)))
+      return direct_or_image(row, branch, reach, slack);
+    return branch.norm() <= reach + slack ? branch : nearest(branch);
+  }
+
+  /// Where both touch, in a box that is hardly wider than two discs, the overlap tells; without one, or where
+  /// it is that of both, it is the image, as on one rank.
+  Vector2d direct_or_image(const Row& row, const Vector2d& branch, double reach, double slack) const {
+    const Vector2d image = nearest_other(branch);
+    if (branch.norm() > reach + slack) return image;
+    if (image.norm() > reach + slack) return branch;
+    const bool is_direct = row.has(overlap) && std::abs(reach - branch.norm() - row[overlap]) <= slack &&
+                           std::abs(reach - image.norm() - row[overlap]) > slack;
+    return is_direct ? branch : image;
   }
 
   bool is_inside(const Vector2d& place) const {

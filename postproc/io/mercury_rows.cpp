@@ -96,6 +96,17 @@ void check_wall_point(const FstatRow& row, const Particle& disc, const Place& pl
                   fmt::format("{:.9g} {:.9g}", row.point.x(), row.point.y()));
 }
 
+// Without it the tangential force has no direction.
+void check_tangent(const FstatRow& row, const Place& place) {
+  constexpr double digits = 1e-4;
+  const bool right =
+      std::abs(row.tangent.norm() - 1) <= digits && std::abs(row.tangent.dot(row.normal)) <= digits;
+  if (row.tangential_force != 0 && !right)
+    throw bad_input(place, "the tangent is no unit vector across the normal",
+                    "t_x t_y of length 1 beside a tangential force",
+                    fmt::format("{:.9g} {:.9g}", row.tangent.x(), row.tangent.y()));
+}
+
 ContactRow contact_of(const FstatRow& row, const std::vector<Particle>& particles, const Place& place) {
   const bool wall = row.j < 0;
   // Ours points from 1 to 2, that is from i to j.
@@ -103,6 +114,7 @@ ContactRow contact_of(const FstatRow& row, const std::vector<Particle>& particle
   const double side = wall ? -1 : 1;
   const Eigen::Vector2d force = side * (row.normal_force * row.normal + row.tangential_force * row.tangent);
   check_index(row.i, particles, place);
+  check_tangent(row, place);
   if (!wall) {
     check_index(row.j, particles, place);
     const auto& of_i = particles[static_cast<std::size_t>(row.i)].position;

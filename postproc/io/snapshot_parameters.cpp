@@ -53,6 +53,7 @@ RunConstants read_constants(const Hdf5File& file) {
   if (const auto heights = numbers_in(file, "height", "m"); heights.size() == 1)
     constants.height = heights[0];
   constants.normal_stiffness = numbers_in(file, "kn", "N/m");
+  constants.hertz = !numbers_in(file, "kn", "N/m^2").empty();
   constants.friction = numbers_in(file, "coefficientFriction", "");
   return constants;
 }

@@ -1,6 +1,7 @@
 #include "io/snapshot_reader.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -94,6 +95,21 @@ void fill_block(const std::vector<Stripe>& stripes, std::size_t begin, std::span
 
 }  // namespace
 
+namespace {
+
+// One or two numbers for each place of each frame; other programs write three coordinates.
+void check_shape(const Hdf5File& file, const snapshot::Element& element, const std::string& name) {
+  const Hdf5Shape shape = file.dataset(value_path(element)).shape();
+  const auto width = static_cast<std::uint64_t>(element.width);
+  const bool fits = width == 1 ? shape.size() == 2 : shape.size() == 3 && shape[2] == width;
+  if (!fits)
+    throw bad_input({name}, fmt::format("{} has another shape", value_path(element)),
+                    width == 1 ? "frames x discs" : fmt::format("frames x discs x {}", width),
+                    fmt::format("{}", fmt::join(shape, " x ")));
+}
+
+}  // namespace
+
 SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& name) {
   if (!file.has("/h5md") || !file.has(steps_path) || !file.has("/particles/discs/id/value"))
     throw bad_input({name}, "no snapshots in the file",
@@ -102,7 +118,10 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
   summary.steps = all_of(file, steps_path);
   while (!summary.steps.empty() && summary.steps.back() == snapshot::no_id) summary.steps.pop_back();
   for (const auto& element : snapshot::elements)
-    if (file.has(value_path(element))) summary.particles_given |= element.columns();
+    if (file.has(value_path(element))) {
+      check_shape(file, element, name);
+      summary.particles_given |= element.columns();
+    }
   const Hdf5Shape shape = file.dataset("/particles/discs/id/value").shape();
   if (shape.size() != 2 || shape[0] < summary.steps.size())
     throw bad_input({name}, "the frames do not fit together",
@@ -200,7 +219,10 @@ std::string SnapshotReader::place() const {
 bool SnapshotReader::open_next() {
   if (opened_ == files_.size()) return false;
   const std::string& file = files_[opened_++];
+  const std::unique_ptr<Open> before = std::move(open_);
   open_ = std::make_unique<Open>(file, wishes_);
+  if (before && before->boxes.periodic != open_->boxes.periodic && wishes_.notes)
+    wishes_.notes->add(file + ": the boundaries are not those of the files before (another run?)");
   frame_ = 0;
   return true;
 }

@@ -13,6 +13,7 @@ struct Column {
   std::string unit;
   std::string equation;  ///< where it is defined, e.g. "seed Eq. 3"; "-" where nothing is to be said
   std::string text;
+  double period = 0;  ///< of angles, in their unit: values that differ by it are the same; 0: of no angle
 };
 
 /// Numbers, row by row in memory.

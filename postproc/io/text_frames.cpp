@@ -66,8 +66,19 @@ TextFrames::TextFrames(const std::vector<std::string>& particle_files,
 bool TextFrames::next(std::int64_t& step) {
   if (!frames_.next()) return false;
   step = frames_.header(0).step;
+  check_boundaries();
   find_units();
   return true;
+}
+
+// Of all frames of a run, where the files tell.
+void TextFrames::check_boundaries() {
+  const Box& box = frames_.header(0).box;
+  if (!box.boundaries_known) return;
+  if (last_box_ && last_box_->periodic != box.periodic)
+    wishes_->notes->add(frames_.file(0) +
+                        ": the boundaries are not those of the frames before (another run?)");
+  last_box_ = box;
 }
 
 // LAMMPS names them before the first frame of the first file only, and perhaps in one of the dumps only.

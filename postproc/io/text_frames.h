@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,7 @@ class TextFrames : public FrameFormat {
 
  private:
   struct Packed;
+  void check_boundaries();
   void find_units();
 
   std::shared_ptr<const ColumnWishes> wishes_;
@@ -50,6 +52,7 @@ class TextFrames : public FrameFormat {
   std::string units_name_;  ///< empty: no dump has named them so far
   Units units_;
   bool some_taken_ = false;
+  std::optional<Box> last_box_;
 };
 
 }  // namespace mikromakro

@@ -30,7 +30,8 @@ void add_field_options(CLI::App& app, FieldChoice& choice) {
 namespace {
 
 // What would be given in vain: a number that none of the fields takes.
-void check_use(const FieldChoice& choice, const std::vector<std::string>& names) {
+void check_use(const FieldChoice& choice) {
+  const std::vector<std::string>& names = choice.names;
   const auto averaged = [&](std::string_view name) {
     const auto& defaults = default_field_names();
     return names.empty() ? std::find(defaults.begin(), defaults.end(), name) != defaults.end()
@@ -53,17 +54,15 @@ double stiffness_of(const FieldChoice& choice) {
 }  // namespace
 
 FieldList fields_of(const FieldChoice& choice, const VolumeOptions& volumes) {
-  std::vector<std::string> names = choice.names;
-  if (choice.numbers.histogram_bins > 0) {
-    if (names.empty()) {
-      for (const std::string_view name : default_field_names()) names.emplace_back(name);
-    }
-    names.emplace_back("contact_angle_histogram");
-  }
-  check_use(choice, names);
+  check_use(choice);
   FieldOptions numbers = choice.numbers;
   numbers.rings = are_rings(volumes);
   numbers.normal_stiffness = stiffness_of(choice);
+  std::vector<std::string> names = choice.names;
+  if (numbers.histogram_bins > 0) {
+    if (names.empty()) names = default_field_names(numbers);
+    names.emplace_back("contact_angle_histogram");
+  }
   return make_fields(names, numbers);
 }
 

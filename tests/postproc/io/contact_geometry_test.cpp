@@ -122,6 +122,24 @@ TEST(JoinContacts, InANarrowBoxTheRowSaysWhichImageTouches) {
   EXPECT_EQ(refusal({{id1, 1}, {id2, 2}}, discs, false), "");
 }
 
+// Stock LIGGGHTS sets the flag across the border of two ranks, too.
+TEST(JoinContacts, PeriodicRowsMayBeOfDiscsSideBySide) {
+  for (const bool box_is_periodic : {false, true}) {
+    ContactRows rows;
+    add_row(rows, {{id1, 900}, {id2, 4}, {x1, 1}, {y1, 1}, {x2, 1.75}, {y2, 2}, {periodic, 1}});
+    const Contact contact = join_one(rows, two_discs, box_of_ten(box_is_periodic));
+    EXPECT_DOUBLE_EQ(contact.normal[0], 0.6);
+    EXPECT_DOUBLE_EQ(contact.overlap, 0.25);
+  }
+  // Both touch in the narrow box: the overlap tells.
+  const std::vector<Particle> discs = {disc(1, 1, 5, 2.9), disc(2, 5.5, 5, 2.9)};
+  for (const double told : {1.3, 0.3}) {
+    ContactRows rows;
+    add_row(rows, {{id1, 1}, {id2, 2}, {x1, 1}, {y1, 5}, {x2, 5.5}, {y2, 5}, {periodic, 1}, {overlap, told}});
+    EXPECT_DOUBLE_EQ(join_one(rows, discs, box_of_ten(true)).normal[0], told == 0.3 ? -1 : 1);
+  }
+}
+
 TEST(JoinContacts, PlacesOfARowAreThoseOfItsDiscsOrTheirImages) {
   const std::vector<Value> right = {{id1, 900}, {id2, 4}, {x1, 1}, {y1, 1}, {x2, 1.75}, {y2, 2}};
   EXPECT_EQ(refusal(right), "");
@@ -186,8 +204,12 @@ TEST(JoinContacts, DiscsThatDoNotTouchAreNoContactUnlessTheUserSaysSo) {
 }
 
 TEST(JoinContacts, PeriodicIsAFlagOfAPeriodicBox) {
-  const std::vector<Value> row = {{id1, 900}, {id2, 4}, {periodic, 1}};
-  EXPECT_NE(refusal(row).find("a periodic box in the dump of particles"), std::string::npos);
+  // Across the box, which has no boundary that could bring them together.
+  const std::vector<Particle> apart = {disc(900, 9.5, 5, 0.5), disc(4, 0.25, 5, 0.5)};
+  const std::vector<Value> row = {{id1, 900}, {id2, 4}, {x1, 9.5},    {y1, 5},
+                                  {x2, 0.25}, {y2, 5},  {periodic, 1}};
+  EXPECT_NE(refusal(row, apart).find("a periodic box in the dump of particles"), std::string::npos);
+  EXPECT_EQ(refusal(row, apart, true), "");
   EXPECT_NE(refusal({{id1, 900}, {id2, 4}, {periodic, 2}}, two_discs, true).find("0 or 1"),
             std::string::npos);
 }

@@ -38,7 +38,11 @@ TEST(PlausibleForces, DoNotPullAndAreNotAcross) {
     ASSERT_EQ(notes_of(wrong).size(), 1U);
     EXPECT_NE(notes_of(wrong)[0].find("contacts pull on the whole"), std::string::npos);
   }
-  pulling.resize(10);  // a few may
+  exchanged.resize(10);
+  pulling.resize(10);
+  EXPECT_TRUE(notes_of(exchanged).empty());
+  EXPECT_EQ(notes_of(pulling).size(), 1U);
+  pulling.resize(4);  // these may
   EXPECT_TRUE(notes_of(pulling).empty());
 }
 
