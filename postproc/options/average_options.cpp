@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "averaging/block_errors.h"
+#include "options/error_report.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {
@@ -10,12 +11,10 @@ namespace {
 
 // Adds the errors to the table, and to the lines above it what they rest on.
 void add_errors(const Averager& averager, const TimeAverage& sums, Table& table, Preamble& lines) {
-  const BlockErrors errors = block_errors(sums, [&](const Rows& mean) { return averager.values(mean); });
+  const BlockErrors errors = block_errors(
+      sums, [&](const Rows& mean) { return averager.values(mean); }, averager.columns_of_fields());
   append_errors(errors, averager.columns(), table);
-  const std::string blocks = fmt::format("{} blocks of {} frames", sums.blocks().size(), sums.block_length());
-  lines.emplace_back("errors",
-                     errors.any() ? fmt::format("standard errors from {}, nan where they are too few", blocks)
-                                  : fmt::format("nan: {} are too few for standard errors", blocks));
+  describe_errors(errors, sums, lines);
 }
 
 }  // namespace

@@ -1,0 +1,147 @@
+#include "averaging/correlation_time.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "averaging/error_decision.h"
+#include "averaging/error_trials.h"
+#include "averaging/lagged_products.h"
+#include "measured_error.h"
+
+namespace mikromakro {
+namespace {
+
+constexpr double rounding = 1e-12;
+
+std::vector<std::int64_t> one_run(Eigen::Index frames) {
+  return std::vector<std::int64_t>(static_cast<std::size_t>(frames), 0);
+}
+
+// A row for each frame, a column for each of `count` independent series.
+Eigen::ArrayXXd noise(double rho, Eigen::Index count, int frames, std::mt19937_64& random) {
+  Eigen::ArrayXXd series(frames, count);
+  Eigen::Index frame = 0;
+  for (const Rows& row : CorrelatedNoise(rho, 1, count)(frames, random)) series.row(frame++) = row.row(0);
+  return series;
+}
+
+// 1, 2, 3, 4: deviations -3/2, -1/2, 1/2, 3/2, variance 5/4; products at the lag 1 are 3/4, -1/4, 3/4, their
+// mean over the variance 1/3; with a new run after the second frame the middle one falls out: 3/5.
+TEST(LaggedProducts, AreMeansOverPairsOfTheSameRun) {
+  Eigen::ArrayXXd series(4, 1);
+  series << 1, 2, 3, 4;
+  LaggedProducts one(series, {0, 0, 0, 0});
+  EXPECT_EQ(one.longest(), 1);
+  EXPECT_FALSE(one.all_lags());
+  EXPECT_EQ(one.pairs(1), 3);
+  expect_measured(one.mean(0), 1, rounding);
+  expect_measured(one.mean(1), 1.0 / 3, rounding);
+  LaggedProducts two(series, {0, 0, 1, 1});
+  EXPECT_TRUE(two.all_lags());
+  EXPECT_EQ(two.pairs(1), 2);
+  expect_measured(two.of_series(1)[0], 0.6, rounding);
+}
+
+// Twenty copies of a series, with either sign, tell as much as one; of twenty independent series of 1000
+// frames r^2 = 1/1000 is chance and taken off; its scatter 1/1000 sqrt(2/190) gives 20 to 0.2 %: three times
+// that.
+TEST(LaggedProducts, CountIndependentSeries) {
+  std::mt19937_64 random(1);
+  const Eigen::ArrayXXd series = noise(0, 20, 1000, random);
+  Eigen::ArrayXXd copies = series;
+  for (Eigen::Index i = 0; i < 20; ++i) copies.col(i) = (i % 2 == 0 ? 3 : -1) * series.col(0);
+  expect_measured(LaggedProducts(copies, one_run(1000)).independent_series(1), 1, rounding);
+  EXPECT_NEAR(LaggedProducts(series, one_run(1000)).independent_series(1), 20, 0.12);
+}
+
+TEST(CorrelationTime, OfRunsOfOneFrameIsOne) {
+  std::mt19937_64 random(1);
+  std::vector<std::int64_t> runs(20);
+  std::iota(runs.begin(), runs.end(), 0);
+  const CorrelationTime time = correlation_time(noise(0.9, 5, 20, random), runs);
+  EXPECT_TRUE(time.certain);
+  EXPECT_EQ(time.time, 1);
+  EXPECT_EQ(time.uncertainty, 0);
+}
+
+struct Case {
+  double rho;
+  int frames;
+};
+
+class CorrelationTimes : public testing::TestWithParam<Case> {};
+
+// Mean of 100 estimates, each of 20 series, against 2 tau = (1 + rho)/(1 - rho) less 2 rho (1 - rho^n)/n/(1 -
+// rho)^2, as only lags up to n are there; the window ends at rho^(3 tau) = e^-3 of the sum or later, 5 %, and
+// the mean of 100 has another 2 %. What each says of its uncertainty must be the scatter of the 100, which is
+// known to 7 %: three times that, and the window itself scatters, up to 20 %.
+TEST_P(CorrelationTimes, AndTheirUncertaintyAreRight) {
+  const auto [rho, frames] = GetParam();
+  std::mt19937_64 random(11);
+  constexpr int estimates = 100;
+  double sum = 0, squares = 0, said = 0;
+  for (int i = 0; i < estimates; ++i) {
+    const CorrelationTime time = correlation_time(noise(rho, 20, frames, random), one_run(frames));
+    sum += time.time;
+    squares += time.time * time.time;
+    said += time.uncertainty;
+  }
+  const double mean = sum / estimates;
+  const double expected =
+      (1 + rho) / (1 - rho) - 2 * rho * (1 - std::pow(rho, frames)) / frames / std::pow(1 - rho, 2);
+  EXPECT_NEAR(mean / expected, 1, 0.07);
+  const double scatter = std::sqrt(squares / estimates - mean * mean) / mean;
+  EXPECT_NEAR(said / estimates / scatter, 1, 0.4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, CorrelationTimes,
+                         testing::Values(Case{0.3, 41}, Case{0.5, 41}, Case{0.5, 400}, Case{0.7, 100},
+                                         Case{0.9, 400}));
+
+// Ten series of 2 tau = 1, ten of 17/3, 400 frames: one series knows its own to (2/400) 20 = 0.3 at most,
+// relative, so that each half comes out within a third of its own; series that are alike get one value.
+TEST(CorrelationTime, KeepsWhatSeriesDifferBy) {
+  std::mt19937_64 random(2);
+  const auto fast = noise(0, 10, 400, random), slow = noise(0.7, 10, 400, random);
+  Eigen::ArrayXXd both(400, 20);
+  both << fast, slow;
+  const CorrelationTime unlike = correlation_time(both, one_run(400));
+  EXPECT_GT(unlike.scatter, 0.4);
+  EXPECT_NEAR(unlike.of_series.head(10).mean(), 1, 0.33);
+  EXPECT_NEAR(unlike.of_series.tail(10).mean() / (17.0 / 3), 1, 0.33);
+  const CorrelationTime alike = correlation_time(noise(0.5, 20, 400, random), one_run(400));
+  EXPECT_LT(alike.scatter, 0.2);
+  EXPECT_NEAR(alike.of_series.maxCoeff() / alike.of_series.minCoeff(), 1, 0.5);
+}
+
+TEST(CorrelationTime, IsNotToldWhereItIsBeyondAQuarterOfTheSeries) {
+  std::mt19937_64 random(2);
+  EXPECT_TRUE(std::isnan(correlation_time(noise(0.97, 50, 40, random), one_run(40)).time));
+  EXPECT_FALSE(std::isnan(correlation_time(noise(0.5, 50, 40, random), one_run(40)).time));
+}
+
+// t of 9 degrees of freedom: 1.0591 at 68.27 %, 2.2622 at 95 %: (1.0591 + 2.2622/1.95996)/2.
+TEST(ErrorDecision, WidensByStudentsT) {
+  expect_measured(student_width(9), 1.1066, 5e-5);
+  expect_measured(student_width(1e6), 1, 1e-5);
+}
+
+// 6 exp(1.8) samples for a single series, 6 exp(1.8/3) for nine; 8 where the correlation is certain.
+TEST(ErrorDecision, AsksForMoreSamplesOfFewerSeries) {
+  CorrelationTime correlation;
+  correlation.time = 1;
+  expect_measured(decide(correlation, 100).needed, 6 * std::exp(1.8), rounding);
+  correlation.independent_series = 9;
+  expect_measured(decide(correlation, 100).needed, 6 * std::exp(0.6), rounding);
+  correlation.certain = true;
+  EXPECT_TRUE(decide(correlation, 8).given);
+  EXPECT_FALSE(decide(correlation, 7).given);
+  // 2/freedom = 2/8.
+  expect_measured(decide(correlation, 8).freedom, 8, rounding);
+}
+
+}  // namespace
+}  // namespace mikromakro
