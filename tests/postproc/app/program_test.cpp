@@ -102,7 +102,8 @@ TEST(Average, ColumnsStandInThePromisedOrder) {
       "D_rphi,W_rphi,omega_excess,E,G,mu_c";
   const std::string errors = std::regex_replace(columns, std::regex("([^,]+)"), "$1_err");
   const Ran ran = run_program("average " + good);
-  EXPECT_NE(ran.out.find("\nr_inner,r_outer,r," + columns + "," + errors + ",effective_samples\n"),
+  EXPECT_NE(ran.out.find("\nr_inner,r_outer,r," + columns + "," + errors +
+                             ",effective_samples,solid_fraction_two_tau,coordination_two_tau,velocity_two_tau"),
             std::string::npos);
   const Ran without = run_program("average " + good + "--error-blocks 0");
   EXPECT_NE(without.out.find("\nr_inner,r_outer,r," + columns + "\n"), std::string::npos);
