@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <memory>
 
 #include "app/averaging_run.h"
@@ -5,7 +8,9 @@
 #include "app/input_options.h"
 #include "app/memory_need.h"
 #include "app/run_constants.h"
+#include "io/error.h"
 #include "options/average_options.h"
+#include "options/error_report.h"
 
 namespace mikromakro {
 namespace {
@@ -14,12 +19,15 @@ struct CommandOptions {
   InputOptions input;
   AverageOptions average;
   RunOptions run;
+  bool json = false;
 };
 
 void add_options(CLI::App& app, CommandOptions& options) {
   add_input_options(app, options.input);
   add_average_options(app, options.average);
   add_run_options(app, options.run);
+  app.add_flag("--json", options.json,
+               "how the standard errors were made, as JSON on standard output; with --out");
 }
 
 // The averager, and what it is to read.
@@ -30,7 +38,19 @@ struct Task {
   std::unique_ptr<TableOutputs> outputs;  // on rank 0
 };
 
+// The table goes elsewhere then, and there are errors.
+void check_json(const AverageOptions& options) {
+  const bool table_on_stdout =
+      options.out.empty() || std::find(options.out.begin(), options.out.end(), "-") != options.out.end();
+  if (table_on_stdout)
+    throw bad_input({"--json"}, "the table would stand on standard output too", "--out FILE",
+                    options.out.empty() ? "no --out" : "--out -");
+  if (options.error_blocks == 0)
+    throw bad_input({"--json"}, "there are no errors to tell of", "--error-blocks above 0", "0");
+}
+
 Task task_of(const CommandOptions& options, const Ranks& ranks) {
+  if (options.json) check_json(options.average);
   Task task;
   task.options = options.average;
   VolumeOptions& volumes = task.options.volumes;
@@ -50,7 +70,9 @@ Task task_of(const CommandOptions& options, const Ranks& ranks) {
 void write(const CommandOptions& options, const Task& task, const Averaged& averaged) {
   Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " average"}};
   describe_input(options.input, task.source, lines);
-  write_averages(task.options, *task.averager, averaged, std::move(lines), *task.outputs);
+  const BlockErrors errors =
+      write_averages(task.options, *task.averager, averaged, std::move(lines), *task.outputs);
+  if (options.json) fmt::print("{}\n", error_json(errors, averaged.sums).text());
 }
 
 void average(const CommandOptions& options, const Ranks& ranks) {

@@ -91,12 +91,13 @@ BlockErrors block_errors(const TimeAverage& average, const Solver& solve,
   const auto jackknife = blocks.size() < fewest_blocks ? std::vector<Rows>{} : pseudo_values(blocks, solve);
   Eigen::Index begin = 0;
   for (const ColumnsOfField& field : fields) {
-    errors.fields.push_back({field, {}, {}});
+    errors.fields.push_back({field, 0, {}, {}});
     if (jackknife.empty()) continue;
     const FieldSeries series = fluctuating_series(jackknife, begin, field.count);
     begin += field.count;
     if (series.places.empty()) continue;
     FieldErrors& made = errors.fields.back();
+    made.series = series.values.cols();
     made.correlation = correlation_time(series.values, average.runs());
     made.decision = decide(made.correlation, static_cast<double>(blocks.size()));
     if (made.decision.given) fill(series, made, average.block_length(), errors);

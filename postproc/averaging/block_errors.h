@@ -14,6 +14,7 @@ using Solver = std::function<Rows(const Rows&)>;
 /// How the errors of a field were made; times are in frames.
 struct FieldErrors {
   ColumnsOfField field;
+  Eigen::Index series = 0;  ///< that fluctuate
   CorrelationTime correlation;
   ErrorDecision decision;
 };

@@ -106,7 +106,7 @@ CorrelationTime correlation_time(const Eigen::ArrayXXd& series, const std::vecto
   CorrelationTime result;
   const std::optional<Window> window = closed_window(products);
   if (!window) return result;
-  result.certain = window->lags() == 0;
+  result.most = products.longest_run();
   result.time = std::max(window->time, 1.0);
   result.squares = window->squares;
   result.independent_series = products.independent_series(result.squares);

@@ -18,7 +18,7 @@ struct CorrelationTime {
   double independent_series = 1;  ///< as many independent series would know 2 tau as well
   Eigen::ArrayXd of_series;       ///< 2 tau of each
   double uncertainty_of_series = 0;
-  bool certain = false;  ///< no two values are of the same run: 2 tau = 1 by construction
+  double most = std::numeric_limits<double>::infinity();  ///< 2 tau is not longer than the longest run
 };
 
 /// 2 tau of `series`: a row for each time, a column for each series, which must fluctuate. Values whose

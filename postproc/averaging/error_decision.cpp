@@ -13,8 +13,9 @@ constexpr double bad_samples = 6;     // of which errors are not to be believed
 constexpr double three_errors = 1.8;  // of log 2 tau of one series of so many samples
 constexpr double least_freedom = 3;
 
-double needed_samples(const CorrelationTime& correlation) {
-  const double error = correlation.certain ? 0 : three_errors / std::sqrt(correlation.independent_series);
+double needed_samples(const CorrelationTime& correlation, double count) {
+  if (count / correlation.most >= fewest_samples) return fewest_samples;
+  const double error = three_errors / std::sqrt(correlation.independent_series);
   return std::max(fewest_samples, bad_samples * std::exp(error));
 }
 
@@ -29,13 +30,14 @@ ErrorDecision decide(const CorrelationTime& correlation, double count) {
   ErrorDecision decision;
   if (std::isnan(correlation.time)) return decision;
   decision.samples = count / correlation.time;
-  decision.needed = needed_samples(correlation);
+  decision.needed = needed_samples(correlation, count);
   const double of_time = correlation.uncertainty_of_series;
   decision.freedom = 2 / (2 * correlation.squares / count + of_time * of_time);
   decision.given = decision.samples >= decision.needed && decision.freedom >= least_freedom;
   if (!decision.given) return decision;
   const double near = decision.needed / decision.samples;
-  const double too_small = near * (1 - 1 / correlation.time) * correlation.uncertainty;
+  const double may_be = correlation.time * (1 + 3 * correlation.uncertainty);
+  const double too_small = near * (1 - 1 / may_be) * correlation.uncertainty;
   decision.widening = student_width(decision.freedom) * std::sqrt(1 + too_small);
   return decision;
 }

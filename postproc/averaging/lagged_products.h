@@ -18,6 +18,7 @@ class LaggedProducts {
   Eigen::Index series() const { return deviation_.cols(); }
   /// The longest lag that counts: a quarter of the series, shorter than the longest run.
   Eigen::Index longest() const { return longest_; }
+  double longest_run() const { return static_cast<double>(longest_run_); }
   /// Whether there are no pairs beyond the longest lag.
   bool all_lags() const { return longest_ + 1 == longest_run_; }
 

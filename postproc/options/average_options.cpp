@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "averaging/block_errors.h"
 #include "options/error_report.h"
 #include "options/value_checks.h"
 
@@ -10,11 +9,12 @@ namespace mikromakro {
 namespace {
 
 // Adds the errors to the table, and to the lines above it what they rest on.
-void add_errors(const Averager& averager, const TimeAverage& sums, Table& table, Preamble& lines) {
-  const BlockErrors errors = block_errors(
+BlockErrors add_errors(const Averager& averager, const TimeAverage& sums, Table& table, Preamble& lines) {
+  BlockErrors errors = block_errors(
       sums, [&](const Rows& mean) { return averager.values(mean); }, averager.columns_of_fields());
   append_errors(errors, averager.columns(), table);
   describe_errors(errors, sums, lines);
+  return errors;
 }
 
 }  // namespace
@@ -48,8 +48,8 @@ void describe_frames(const Averaged& averaged, Preamble& lines) {
                                            averaged.range.first_step, averaged.range.last_step));
 }
 
-void write_averages(const AverageOptions& options, const Averager& averager, const Averaged& averaged,
-                    Preamble lines, TableOutputs& outputs) {
+BlockErrors write_averages(const AverageOptions& options, const Averager& averager, const Averaged& averaged,
+                           Preamble lines, TableOutputs& outputs) {
   const Rows mean = averaged.sums.mean();
   Table table = averager.solve(mean);
   describe_fields(options.fields, lines);
@@ -57,8 +57,10 @@ void write_averages(const AverageOptions& options, const Averager& averager, con
   describe_volumes(options.volumes, lines);
   describe_numbers(options.fields, lines);
   for (const std::string& note : averager.notes(mean)) lines.emplace_back("note", note);
-  if (options.error_blocks > 0) add_errors(averager, averaged.sums, table, lines);
+  BlockErrors errors;
+  if (options.error_blocks > 0) errors = add_errors(averager, averaged.sums, table, lines);
   outputs.commit(lines, table, ring_centre(options.volumes));
+  return errors;
 }
 
 }  // namespace mikromakro

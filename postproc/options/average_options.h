@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "averaging/block_errors.h"
 #include "averaging/time_average.h"
 #include "options/field_options.h"
 #include "options/table_outputs.h"
@@ -43,8 +44,8 @@ struct Averaged {
 void describe_frames(const Averaged& averaged, Preamble& lines);
 
 /// Solves the table, with errors unless the options have none, and writes it out below `lines`, to which all
-/// that the options say is added. There must be a frame.
-void write_averages(const AverageOptions& options, const Averager& averager, const Averaged& averaged,
-                    Preamble lines, TableOutputs& outputs);
+/// that the options say is added. There must be a frame. What the errors rest on is given back.
+BlockErrors write_averages(const AverageOptions& options, const Averager& averager, const Averaged& averaged,
+                           Preamble lines, TableOutputs& outputs);
 
 }  // namespace mikromakro

@@ -103,7 +103,7 @@ TEST(Average, ColumnsStandInThePromisedOrder) {
   const std::string errors = std::regex_replace(columns, std::regex("([^,]+)"), "$1_err");
   const Ran ran = run_program("average " + good);
   EXPECT_NE(ran.out.find("\nr_inner,r_outer,r," + columns + "," + errors +
-                             ",effective_samples,solid_fraction_two_tau,coordination_two_tau,velocity_two_tau"),
+                         ",effective_samples,solid_fraction_two_tau,coordination_two_tau,velocity_two_tau"),
             std::string::npos);
   const Ran without = run_program("average " + good + "--error-blocks 0");
   EXPECT_NE(without.out.find("\nr_inner,r_outer,r," + columns + "\n"), std::string::npos);

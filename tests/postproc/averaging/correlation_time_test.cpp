@@ -62,7 +62,7 @@ TEST(CorrelationTime, OfRunsOfOneFrameIsOne) {
   std::vector<std::int64_t> runs(20);
   std::iota(runs.begin(), runs.end(), 0);
   const CorrelationTime time = correlation_time(noise(0.9, 5, 20, random), runs);
-  EXPECT_TRUE(time.certain);
+  EXPECT_EQ(time.most, 1);
   EXPECT_EQ(time.time, 1);
   EXPECT_EQ(time.uncertainty, 0);
 }
@@ -133,14 +133,14 @@ TEST(ErrorDecision, WidensByStudentsT) {
   expect_measured(student_width(1e6), 1, 1e-5);
 }
 
-// 6 exp(1.8) samples for a single series, 6 exp(1.8/3) for nine; 8 where the correlation is certain.
+// 6 exp(1.8) samples for a single series, 6 exp(1.8/3) for nine; 8 where as many runs are independent.
 TEST(ErrorDecision, AsksForMoreSamplesOfFewerSeries) {
   CorrelationTime correlation;
   correlation.time = 1;
   expect_measured(decide(correlation, 100).needed, 6 * std::exp(1.8), rounding);
   correlation.independent_series = 9;
   expect_measured(decide(correlation, 100).needed, 6 * std::exp(0.6), rounding);
-  correlation.certain = true;
+  correlation.most = 1;
   EXPECT_TRUE(decide(correlation, 8).given);
   EXPECT_FALSE(decide(correlation, 7).given);
   // 2/freedom = 2/8.
