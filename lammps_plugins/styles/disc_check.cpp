@@ -4,12 +4,14 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <vector>
 
 #include "arguments.h"
 #include "atom.h"
 #include "comm.h"
+#include "compute.h"
 #include "engine_access.h"
 #include "error.h"
 #include "fix.h"
@@ -82,6 +84,14 @@ void warn_of_integrators(LAMMPS& engine, const std::string& style) {
       warn(engine, style + ": fix " + fix.id + " (" + fix.style +
                        ") turns discs with the moment of inertia of spheres, 2/5 m a^2; expected 'fix " +
                        fix.id + " ... nve/sphere disc' or nve/disc");
+  }
+  for (int k = 0; k < modify.ncompute; ++k) {
+    const Compute& compute = *modify.compute[k];
+    if (std::strcmp(compute.style, "erotate/sphere") == 0)
+      warn(engine,
+           style + ": compute " + compute.id +
+               " (erotate/sphere) has the moment of inertia of spheres; the rotational energy of discs is "
+               "5/4 of what it gives");
   }
   if (!any && engine.update->nsteps > 0)
     warn(engine,

@@ -115,7 +115,7 @@ void DiscLaw::find_integrators() {
   bool all_predict = true;
   for (int k = 0; k < modify->nfix; ++k) {
     if (std::strncmp(modify->fix[k]->style, "nve", 3) != 0) continue;
-    const auto* integrator = dynamic_cast<const FixNveDisc*>(modify->fix[k]);
+    auto* integrator = dynamic_cast<FixNveDisc*>(modify->fix[k]);
     all_predict = all_predict && integrator && integrator->predicts_velocities();
     if (integrator) integrators_.push_back(integrator);
   }
@@ -221,6 +221,7 @@ void DiscLaw::evaluate(const Evaluation& evaluation) {
   packed_.open = evaluation.is_step && will_stay_open();
   recording_ = evaluation.is_step && schedule_.due(*update, *output);
   if (recording_) applied_.clear();
+  for (FixNveDisc* integrator : integrators_) integrator->send_to_ghosts();
   if (atom->nlocal > 0) {
     const bool observed = recording_ || evaluation.is_observed;
     evaluated_step_ = update->ntimestep;

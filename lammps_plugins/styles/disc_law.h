@@ -62,6 +62,8 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   /// The contacts of the force evaluation of this step; nullptr where the step was not recorded.
   const std::vector<AppliedContact>* applied_contacts() const;
   physics::Effects effects() const { return effects_; }
+  /// Without friction spins do not change, and are not read.
+  bool rows_have_spins() const { return effects_.tangential != physics::Tangential::none; }
   /// What the law itself holds of pairs and contacts at present, and the engine in its lists of springs.
   std::size_t bytes_of_pairs() const;
   std::size_t bytes_in_engine() const;
@@ -189,7 +191,7 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   bool run_started_ = false;
   std::vector<physics::ContactParameters> parameters_;  // of type i and type j at (i - 1) * types + j - 1
   PackedDiscs packed_;
-  std::vector<const FixNveDisc*> integrators_;
+  std::vector<FixNveDisc*> integrators_;
   LAMMPS_NS::bigint rows_step_ = -1;  // of which the rows are
   EndOfStepReaders readers_;
   std::unique_ptr<physics::ContactBatch> batch_ = std::make_unique<physics::ContactBatch>();

@@ -1,12 +1,15 @@
 #include "fix_ave_micromacro.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
 #include "arguments.h"
+#include "comm.h"
 #include "disc_law.h"
 #include "engine_access.h"
+#include "error.h"
 #include "first_rank.h"
 #include "frame_gathering.h"
 #include "group.h"
@@ -125,6 +128,30 @@ void FixAveMicromacro::init() {
   notice_new_count();
   if (!active_disc_law(*lmp))
     stop(*lmp, style, std::string("needs '") + disc_pair_style + "' before the run");
+  check_outputs(*lmp, *this);
+}
+
+void FixAveMicromacro::setup(int /*vflag*/) {
+  warn_of_discs_outside(*lmp, *this);
+  warn_of_stiffness();
+}
+
+/// E and G in units of k_n/h are those of the k_n that the fix was told.
+void FixAveMicromacro::warn_of_stiffness() const {
+  constexpr double digits = 1e-6;
+  const double told = options_.fields.numbers.normal_stiffness;
+  if (told == 0) return;
+  for (const MaterialConstant& constant : active_disc_law(*lmp)->given_constants()) {
+    if (constant.name != "kn" || constant.unit != "N/m") continue;
+    for (const double value : constant.values) {
+      if (std::abs(value - told) <= digits * told) continue;
+      const std::string text = std::string("fix ") + id + " (" + style + "): kn " + text_of(told) +
+                               " N/m is used, but the law has " + text_of(value) +
+                               " N/m, by types perhaps: E and G are in units of the first";
+      if (comm->me == 0) error->warning(FLERR, text.c_str());
+      return;
+    }
+  }
 }
 
 void FixAveMicromacro::count_steps_anew(LAMMPS_NS::bigint /*shift*/) {

@@ -22,16 +22,20 @@
 #include "contact_rows.h"
 #include "dialect.h"
 #include "options/average_options.h"
+#include "output_names.h"
 
 namespace mikromakro::styles {
 
-class FixAveMicromacro : public FixWithClock, public ContactObserver {
+class FixAveMicromacro : public FixWithClock, public ContactObserver, public FileWriter {
  public:
   FixAveMicromacro(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
 
   bool wants_contacts_at(LAMMPS_NS::bigint step) const override { return step % nevery == 0; }
 
+  std::vector<std::string> output_names() const override { return options_.out; }
+
   void init() override;
+  void setup(int vflag) override;
   void end_of_step() override;
 
  protected:
@@ -41,6 +45,7 @@ class FixAveMicromacro : public FixWithClock, public ContactObserver {
  private:
   void parse(std::vector<std::string> words);
   void write();
+  void warn_of_stiffness() const;
 
   LAMMPS_NS::bigint write_every_ = 0;
   AverageOptions options_;

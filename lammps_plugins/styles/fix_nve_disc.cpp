@@ -28,7 +28,7 @@ FixNveDisc::FixNveDisc(LAMMPS* engine, int narg, char** arg)
   time_integrate = 1;
   restart_global = restart_peratom = 1;
   has_values_of_atoms(size_of_half_step + size_of_prediction + LastForces::values);
-  has_values_of_ghosts(size_of_prediction);
+  has_values_of_ghosts(size_for_ghosts);
   read_options(narg, arg);
   if (!stores_discs(*atom))
     error->all(FLERR, (std::string("fix nve/disc: needs 'atom_style ") + disc_atom_style + "'").c_str());
@@ -127,13 +127,12 @@ void FixNveDisc::begin_step() {
 }
 
 void FixNveDisc::send_to_ghosts() {
+  if (half_steps_wait_) return;
   if (comm->nprocs > 1 || atom->nghost > 0) comm->forward_comm_fix(this);
 }
 
-/// Others may have set velocities since the first half-kick, and discs have come from other ranks.
 void FixNveDisc::pre_force(int /*vflag*/) {
   if (!predicts_ || half_steps_wait_) return;
-  send_to_ghosts();
   prediction_ = Prediction::differences;
 }
 

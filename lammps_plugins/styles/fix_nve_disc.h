@@ -41,6 +41,10 @@ class FixNveDisc : public FixOfEngine {
   bool predicts_velocities() const { return predicted_; }
   /// Turns velocities of the engine's arrays into those that contacts see, in the rows from `first` on.
   void predict(std::vector<physics::DiscRow>& rows, int first) const;
+  /// Where a step is closed, ghosts get what the engine does not send them within it: the predictions, and
+  /// the radii of the discs that they are images of, which a fix may have changed. All ranks call it
+  /// together.
+  void send_to_ghosts();
 
   int setmask() override;
   void init() override;
@@ -80,7 +84,8 @@ class FixNveDisc : public FixOfEngine {
   void note_end_of_step();
   void keep_last_forces();
   void find_members();
-  void send_to_ghosts();
+  void pack_prediction(int i, double* buffer) const;
+  void unpack_prediction(int i, const double* buffer);
   void begin_step();
   void take_half_steps();
   void go_on();
@@ -102,6 +107,7 @@ class FixNveDisc : public FixOfEngine {
   // Of each owned atom, between the steps of an open state: v_x, v_y [m/s], spin [1/s] of the half step; dt /
   // 2m, which turns a force into a half-kick; and dt / 2I.
   static constexpr int size_of_half_step = 5, size_of_prediction = 3;  // numbers that go to another rank
+  static constexpr int size_for_ghosts = size_of_prediction + 1;
   std::vector<OfDisc> half_steps_;
   std::vector<double> spin_kicks_;
   bool half_steps_wait_ = false;       // the velocities of the half step are here and not in the engine

@@ -25,7 +25,6 @@ void FixNveDisc::setup_pre_force(int /*vflag*/) {
     const auto& [v_x, v_y, spin] = last_forces_.seen(i);
     predictions_[i].values = Four{v_x, v_y, spin, 0};
   }
-  send_to_ghosts();
   prediction_ = Prediction::velocities;
 }
 
@@ -48,13 +47,13 @@ void FixNveDisc::note_end_of_step() {
   const bool may_be_kept = update->ntimestep == update->laststep || is_asked_to_stop() ||
                            writes_restart_at(*lmp, update->ntimestep);
   if (!may_be_kept || !law_ || packed_->discs.size() < static_cast<std::size_t>(atom->nlocal)) return;
-  last_forces_.see(packed_->discs.data());
+  last_forces_.see(packed_->discs.data(), law_->rows_have_spins());
   seen_step_ = update->ntimestep;
 }
 
 void FixNveDisc::keep_last_forces() {
   if (!step_complete_ || !law_ || packed_->discs.size() < static_cast<std::size_t>(atom->nlocal)) return;
-  if (seen_step_ != update->ntimestep) last_forces_.see(packed_->discs.data());
+  if (seen_step_ != update->ntimestep) last_forces_.see(packed_->discs.data(), law_->rows_have_spins());
   last_forces_.keep();
 }
 
@@ -91,19 +90,29 @@ void FixNveDisc::copy_arrays(int from, int to, int /*delflag*/) {
   last_forces_.copy(from, to);
 }
 
-void FixNveDisc::pack_for_ghost(int i, double* buffer) const {
+void FixNveDisc::pack_prediction(int i, double* buffer) const {
   for (int k = 0; k < size_of_prediction; ++k) buffer[k] = predictions_[i].values[k];
 }
 
-void FixNveDisc::unpack_for_ghost(int i, const double* buffer) {
+void FixNveDisc::unpack_prediction(int i, const double* buffer) {
   predictions_[i].values = Four{buffer[0], buffer[1], buffer[2], 0};
+}
+
+void FixNveDisc::pack_for_ghost(int i, double* buffer) const {
+  pack_prediction(i, buffer);
+  buffer[size_of_prediction] = atom->radius[i];
+}
+
+void FixNveDisc::unpack_for_ghost(int i, const double* buffer) {
+  unpack_prediction(i, buffer);
+  atom->radius[i] = buffer[size_of_prediction];
 }
 
 int FixNveDisc::pack_exchange(int i, double* buffer) {
   std::memcpy(buffer, &half_steps_[i], sizeof(OfDisc));
   buffer[size_of_half_step - 1] = spin_kicks_[i];
   double* rest = buffer + size_of_half_step;
-  pack_for_ghost(i, rest);
+  pack_prediction(i, rest);
   return size_of_half_step + size_of_prediction + last_forces_.pack(i, rest + size_of_prediction);
 }
 
@@ -111,7 +120,7 @@ int FixNveDisc::unpack_exchange(int i, double* buffer) {
   std::memcpy(&half_steps_[i], buffer, sizeof(OfDisc));
   spin_kicks_[i] = buffer[size_of_half_step - 1];
   const double* rest = buffer + size_of_half_step;
-  unpack_for_ghost(i, rest);
+  unpack_prediction(i, rest);
   return size_of_half_step + size_of_prediction + last_forces_.unpack(i, rest + size_of_prediction);
 }
 

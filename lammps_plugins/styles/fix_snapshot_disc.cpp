@@ -54,9 +54,11 @@ int FixSnapshotDisc::setmask() {
 void FixSnapshotDisc::init() {
   if (!active_disc_law(*lmp))
     stop(*lmp, style, std::string("needs '") + disc_pair_style + "' before the run");
+  check_outputs(*lmp, *this);
 }
 
 void FixSnapshotDisc::setup(int /*vflag*/) {
+  warn_of_discs_outside(*lmp, *this);
   const bool first_run = !begun_;
   const bool due = update->ntimestep % nevery == 0 || (first_run && at_start_);
   const SnapshotParameters record = run_record(*lmp, height_);

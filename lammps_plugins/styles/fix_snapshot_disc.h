@@ -15,18 +15,22 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "contact_rows.h"
 #include "dialect.h"
 #include "io/snapshot_log.h"
+#include "output_names.h"
 
 namespace mikromakro::styles {
 
-class FixSnapshotDisc : public FixOfEngine, public ContactObserver {
+class FixSnapshotDisc : public FixOfEngine, public ContactObserver, public FileWriter {
  public:
   FixSnapshotDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
 
   bool wants_contacts_at(LAMMPS_NS::bigint step) const override { return step % nevery == 0; }
+
+  std::vector<std::string> output_names() const override { return {file_}; }
 
   int setmask() override;
   void init() override;

@@ -11,7 +11,9 @@
 #include "contact_rows.h"
 #include "domain.h"
 #include "engine_access.h"
+#include "error.h"
 #include "fix.h"
+#include "group.h"
 #include "modify.h"
 #include "update.h"
 
@@ -132,6 +134,18 @@ RawFrame gather_frame(LAMMPS& engine, int group_bit, const std::string& style) {
   take_discs(gather(own_discs(*engine.atom, group_bit), engine), frame);
   take_contacts(gather(contacts, engine), frame);
   return frame;
+}
+
+void warn_of_discs_outside(LAMMPS& engine, const LAMMPS_NS::Fix& fix) {
+  const LAMMPS_NS::Atom& atom = *engine.atom;
+  LAMMPS_NS::bigint outside =
+      std::count_if(atom.mask, atom.mask + atom.nlocal, [&](int mask) { return (mask & fix.groupbit) == 0; });
+  MPI_Allreduce(MPI_IN_PLACE, &outside, 1, MPI_LMP_BIGINT, MPI_SUM, engine.world);
+  if (outside == 0 || engine.comm->me != 0) return;
+  const std::string text = std::string("fix ") + fix.id + " (" + fix.style + "): " + std::to_string(outside) +
+                           " discs are not in group " + engine.group->names[fix.igroup] +
+                           ": contacts with them are left out, and missing in stress and coordination";
+  engine.error->warning(FLERR, text.c_str());
 }
 
 }  // namespace mikromakro::styles

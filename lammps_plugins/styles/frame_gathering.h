@@ -4,8 +4,9 @@
 #include "io/frame_format.h"
 
 namespace LAMMPS_NS {
+class Fix;
 class LAMMPS;
-}
+}  // namespace LAMMPS_NS
 
 namespace mikromakro::styles {
 
@@ -14,5 +15,9 @@ namespace mikromakro::styles {
 /// first rank, and empty but for step, time and box on the others. Ends the run on all ranks where the forces
 /// of this step were not recorded: `style` is who asks. Every rank has to call it.
 RawFrame gather_frame(LAMMPS_NS::LAMMPS& engine, int group_bit, const std::string& style);
+
+/// One warning where there are discs that are not in the group of the fix: frames lack the contacts with
+/// them.
+void warn_of_discs_outside(LAMMPS_NS::LAMMPS& engine, const LAMMPS_NS::Fix& fix);
 
 }  // namespace mikromakro::styles

@@ -22,9 +22,11 @@ bool same_place(double a, double b, bool periodic, double period) {
 
 }  // namespace
 
-void LastForces::see(const physics::DiscRow* rows) {
-  for (int i = 0; i < engine_.atom->nlocal; ++i) {
-    for (int k = 0; k < 3; ++k) kept_[i].seen[k] = rows[i].motion[k];
+void LastForces::see(const physics::DiscRow* rows, bool rows_have_spins) {
+  const auto& atom = *engine_.atom;
+  for (int i = 0; i < atom.nlocal; ++i) {
+    const auto& motion = rows[i].motion;
+    kept_[i].seen = {motion[0], motion[1], rows_have_spins ? motion[2] : atom.omega[i][2]};
   }
 }
 

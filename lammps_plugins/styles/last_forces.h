@@ -25,8 +25,9 @@ class LastForces {
  public:
   explicit LastForces(LAMMPS_NS::LAMMPS& engine) : engine_(engine) {}
 
-  /// Notes the velocities that forces depended on: those in the rows of the owned discs.
-  void see(const physics::DiscRow* rows);
+  /// Notes the velocities that forces depended on: those in the rows of the owned discs; spins are those of
+  /// the engine where a law without friction has left them out of the rows.
+  void see(const physics::DiscRow* rows, bool rows_have_spins);
   /// Notes the discs as they are at the end of this step. After see().
   void keep();
 

@@ -57,6 +57,7 @@ Task task_of(const CommandOptions& options, const Ranks& ranks) {
   const FrameSource files = frame_source(options.input);
   take_height(files, volumes.height);
   take_stiffness(files, volumes.bulk_types, task.options.fields);
+  compare_friction(files, task.options.fields.numbers.friction_coefficient);
   task.averager = make_averager(task.options);
   check_memory({static_cast<double>(task.averager->volume_count() * task.averager->sum_count()),
                 threads_of(options.run, ranks), static_cast<double>(task.options.error_blocks)},

@@ -77,6 +77,7 @@ void take_what_files_say(const CompareOptions& options, const FrameSource& files
   task.fields = options.fields;
   take_height(files, task.volumes.height);
   take_stiffness(files, task.volumes.bulk_types, task.fields);
+  compare_friction(files, task.fields.numbers.friction_coefficient);
 }
 
 MemoryNeed memory_need(const CompareOptions& options, const Task& task, const Ranks& ranks) {

@@ -29,6 +29,9 @@ void convert(const ConvertOptions& options) {
   if (!options.out.ends_with(".h5"))
     throw bad_input({"--out"}, "unknown kind of output file", "a name ending in .h5", in_quotes(options.out));
   FrameSource source = frame_source(options.input);
+  if (!source.further_runs.empty())
+    throw bad_input({"--out"}, "a file holds one run", "the files of one run",
+                    fmt::format("{} runs", source.runs().size()));
   source.particles_needed = column_set(ParticleColumn::id);
   check_outputs({options.out}, source.files());
   OutputFile file(options.out);

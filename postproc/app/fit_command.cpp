@@ -75,6 +75,9 @@ FitResult fit_file(const FitOptions& options) {
   result.r_i = std::isnan(options.ri) ? table.column("r_inner")[0] : options.ri;
   if (options.omega == 0)
     throw bad_input({"--omega"}, "the wheel does not turn", "a rate that is not 0", "0");
+  if (!std::isnan(options.omega) && result.r_i == 0)
+    throw bad_input({"--omega"}, "a wheel of no radius has no velocity",
+                    "--ri above 0, or rings that begin there", "0");
   result.scale = options.omega * result.r_i;
   result.profile = fit_exponential(points, result.r_i);
   return result;

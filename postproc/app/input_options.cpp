@@ -98,6 +98,7 @@ FrameSource frame_source(const InputOptions& options) {
   FrameSource source;
   std::vector<Run> runs = has_snapshots(options) ? snapshot_runs(options) : dump_runs(options);
   std::vector<std::vector<std::string>> files;
+  files.reserve(runs.size());
   for (const Run& run : runs)
     files.push_back(has_snapshots(options) ? run.snapshot_files : run.particle_files);
   check_runs_differ(files);

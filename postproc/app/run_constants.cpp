@@ -100,4 +100,14 @@ void take_stiffness(const FrameSource& source, const std::vector<int>& bulk_type
   fields.stiffness_of_run = stiffness;
 }
 
+void compare_friction(const FrameSource& source, double mu) {
+  if (mu == 0) return;
+  for (const auto& [file, constants] : constants_of(source)) {
+    const auto& all = constants.friction;
+    const auto other = std::find_if(all.begin(), all.end(), [mu](double value) { return !same(value, mu); });
+    if (other != all.end())
+      source.notes->add(fmt::format("--mu {} is used, but {} says {}", mu, file, *other));
+  }
+}
+
 }  // namespace mikromakro

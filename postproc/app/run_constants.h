@@ -15,4 +15,7 @@ void take_height(const FrameSource& source, double& height);
 /// taken, which is noted where `fields` need it.
 void take_stiffness(const FrameSource& source, const std::vector<int>& bulk_types, FieldChoice& fields);
 
+/// Notes where `mu` is given (above 0) and is not the one of a file.
+void compare_friction(const FrameSource& source, double mu);
+
 }  // namespace mikromakro

@@ -107,6 +107,7 @@ void print(const TimestepOptions& o, const physics::Impact& impact, const Findin
     return;
   }
   fmt::print("t_c = {:.6g} s, e_n = {:.6g}, t_c/50 = {:.6g} s\n", impact.duration, found.restitution, rule);
+  if (!std::isnan(o.restitution)) fmt::print("gamma_n = {:.6g} kg/s\n", impact.law.normal_damping);
   if (std::isnan(o.error)) return;
   fmt::print(
       "dt = {:.6g} s = t_c/{:.1f}: velocities after {} impact are off by {:g} of the one before (rms)\n", dt,

@@ -42,10 +42,19 @@ class Joiner {
     for (Eigen::Index axis = 0; axis < 2; ++axis)
       if (!discs.box.periodic[static_cast<std::size_t>(axis)] || length_[axis] <= 0) length_[axis] = 0;
     wraps_ = !length_.isZero();
+    const ColumnSet given = rows.given_in_all();
+    const auto all = [given](ColumnSet columns) { return (columns & ~given) == 0; };
+    const auto none = [given](ColumnSet columns) { return (columns & given) == 0; };
+    plain_ = rows.wall_file.empty() && all(whole_geometry | force_columns) &&
+             none(column_set(dist, periodic, shearx));
+    with_places_ = all(place_columns);
+    with_components_ = !none(components_of_force);
+    plain_ = plain_ && (with_components_ ? all(components_of_force) : true);
   }
 
   /// False where the row is no contact.
   bool join(std::size_t i, Contact& contact) const {
+    if (plain_ && join_plain(rows_.rows[i], contact)) return true;
     const Row row{rows_.rows[i], rows_.given_in(i), i};
     contact.id1 = static_cast<std::int64_t>(row[id1]);
     contact.id2 = static_cast<std::int64_t>(row[id2]);
@@ -82,6 +91,33 @@ class Joiner {
 
   const Particle& disc(int index) const { return discs_.particles[static_cast<std::size_t>(index)]; }
 
+  /// What nearly all rows of most files are, a contact of two discs with normal, overlap and force that fit,
+  /// in a few operations. False where it is anything else.
+  bool join_plain(const ContactRow& row, Contact& contact) const {
+    contact.id1 = static_cast<std::int64_t>(row[id1]);
+    contact.id2 = static_cast<std::int64_t>(row[id2]);
+    contact.index1 = discs_.ids.find(contact.id1);
+    contact.index2 = discs_.ids.find(contact.id2);
+    contact.normal = {row[nx], row[ny]};
+    contact.overlap = row[overlap];
+    contact.force = {row[fx], row[fy]};
+    contact.spring = row[xi];
+    if (contact.with_wall() || contact.index1 < 0 || contact.index2 < 0 || contact.id1 == contact.id2)
+      return false;
+    const Particle& one = disc(contact.index1);
+    const Particle& two = disc(contact.index2);
+    const double reach = one.radius + two.radius;
+    const double slack =
+        tolerance_.of_geometry(std::min(one.radius, two.radius), reach, contact.overlap, false);
+    return contact.overlap > 0 && fits(contact, two.position - one.position, reach, slack) &&
+           (!with_places_ || (is_at(row, x1, y1, one) && is_at(row, x2, y2, two))) &&
+           (!with_components_ || are_components(row, contact));
+  }
+
+  bool fits(const Contact& contact, const Vector2d& between, double reach, double slack) const {
+    return nearest(between - (reach - contact.overlap) * contact.normal).squaredNorm() <= slack * slack;
+  }
+
   /// Normal and overlap of two discs, checked or derived; gives the tolerance.
   double join_discs(const Row& row, Contact& contact) const {
     const Particle& one = disc(contact.index1);
@@ -98,12 +134,9 @@ class Joiner {
     const double reach = one.radius + two.radius;
     const double told = row.has(overlap) ? row[overlap] : row.has(dist) ? row[dist] : not_given;
     const double slack = tolerance_.of_geometry(std::min(one.radius, two.radius), reach, told, by_row);
-    if (!by_row && row.has(whole_geometry) && !row.has(dist)) {
-      // What nearly all rows are, in a few operations.
-      const Vector2d apart =
-          nearest(two.position - one.position - (reach - contact.overlap) * contact.normal);
-      if (apart.squaredNorm() <= slack * slack) return slack;
-    }
+    if (!by_row && row.has(whole_geometry) && !row.has(dist) &&
+        fits(contact, two.position - one.position, reach, slack))
+      return slack;
     check_branch(row, branch_of(row, two.position - one.position, reach, by_row, slack), reach, slack,
                  contact);
     return slack;
@@ -128,11 +161,24 @@ class Joiner {
     return slack;
   }
 
-  void check_place(const Row& row, ContactColumn x, ContactColumn y, const Particle& disc) const {
-    const Vector2d told = row.place(x, y);
-    const Vector2d apart = nearest(told - disc.position);
+  bool is_at(const ContactRow& row, ContactColumn x, ContactColumn y, const Particle& disc) const {
+    const Vector2d apart = nearest(Vector2d(row[x], row[y]) - disc.position);
     const double allowed = tolerance_.of_place(disc.radius);
-    if (std::abs(apart.x()) <= allowed && std::abs(apart.y()) <= allowed) return;
+    return std::abs(apart.x()) <= allowed && std::abs(apart.y()) <= allowed;
+  }
+
+  /// Within the digits of the force alone, as the normal is exact.
+  static bool are_components(const ContactRow& row, const Contact& contact) {
+    const double f_n = -contact.force.dot(contact.normal);
+    const double f_t = contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x()));
+    const double allowed = six_digits * contact.force.lpNorm<1>();
+    return std::abs(row[fn] - f_n) <= allowed && std::abs(row[ft] - f_t) <= allowed;
+  }
+
+  void check_place(const Row& row, ContactColumn x, ContactColumn y, const Particle& disc) const {
+    if (is_at(row.numbers, x, y, disc)) return;
+    const Vector2d told = row.place(x, y);
+    const double allowed = tolerance_.of_place(disc.radius);
     throw bad_input(
         rows_.place(row.index),
         fmt::format("disc {} is not where the row says (another run or step, or ids that have "
@@ -302,6 +348,8 @@ class Joiner {
   const ContactRules& rules_;
   Vector2d length_;  ///< 0 along an axis that is not periodic
   bool wraps_ = false;
+  bool plain_ = false;  ///< rows without anything that join_plain does not look at
+  bool with_places_ = false, with_components_ = false;
   ContactTolerance tolerance_;
 };
 
@@ -328,16 +376,14 @@ void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>
 std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& discs,
                                    const ContactRules& rules) {
   const Joiner joiner(rows, discs, rules);
-  std::vector<Contact> contacts;
-  std::vector<std::size_t> row_of;
-  contacts.reserve(rows.rows.size());
-  row_of.reserve(rows.rows.size());
-  Contact contact;
+  std::vector<Contact> contacts(rows.rows.size());
+  std::vector<std::size_t> row_of(rows.rows.size());
+  std::size_t count = 0;
   for (std::size_t i = 0; i < rows.rows.size(); ++i) {
-    if (!joiner.join(i, contact)) continue;
-    contacts.push_back(contact);
-    row_of.push_back(i);
+    row_of[count] = i;
+    if (joiner.join(i, contacts[count])) ++count;
   }
+  contacts.resize(count);
   check_pairs(contacts, row_of, rows, discs.box);
   check_springs_pull_back(rows, contacts);
   const auto left_out = static_cast<std::int64_t>(rows.rows.size() - contacts.size());

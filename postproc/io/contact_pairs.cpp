@@ -29,7 +29,7 @@ Eigen::Vector2d ordered_normal(const Contact& contact) {
 // Whether a disc touches itself (by both of its images, perhaps) or a pair is there twice, in one pass over a
 // table of hashes.
 bool all_pairs_differ(const std::vector<Contact>& contacts) {
-  const std::size_t places = std::bit_ceil(4 * contacts.size() + 1);
+  const std::size_t places = std::bit_ceil(2 * contacts.size() + 1);
   std::vector<int> table(places, -1);
   for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
     const auto pair = pair_of(contacts[static_cast<std::size_t>(i)]);

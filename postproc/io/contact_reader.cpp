@@ -13,7 +13,6 @@ namespace {
 
 using enum ContactColumn;
 
-constexpr double unit_tolerance = 1e-5;
 // Six digits of the parts in the plane; nothing leaves the plane of a run in two dimensions.
 constexpr double plane_tolerance = 1e-5;
 constexpr ColumnSet normal_columns = column_set(nx, ny);
@@ -86,8 +85,8 @@ std::string with_hint(std::string_view what, bool guessed) {
 
 void check_across(double across, double x, double y, std::string_view name, const Place& place) {
   if (std::abs(across) <= plane_tolerance * (std::abs(x) + std::abs(y))) return;
-  throw bad_input(place, "the contact is not in the plane", fmt::format("{} 0", name),
-                  fmt::format("{}", across));
+  throw bad_input(place, "the contact is not in the plane (columns of other quantities?)",
+                  fmt::format("{} 0", name), fmt::format("{}", across));
 }
 
 void check_plane(Slots& row, ColumnSet given, const Place& place) {
@@ -156,20 +155,15 @@ class RowReader {
 }  // namespace
 
 void check_contact_row(const ContactRow& row, ColumnSet given, bool guessed, const Place& place) {
+  if (is_sound(row, given)) return;
   for (const ContactColumn column : {id1, id2}) {
     const double id = row[column];
     if (!is_integer(id))
       throw bad_input(place, with_hint("an id is no whole number", guessed), "a whole number",
                       fmt::format("{}", id));
   }
-  if ((normal_columns & ~given) != 0) return;
-  const double x = row[nx];
-  const double y = row[ny];
-  const double square = x * x + y * y;
-  if (!(std::abs(square - 1) <= 2 * unit_tolerance)) {
-    throw bad_input(place, with_hint("the normal is no unit vector", guessed), "length 1 within 1e-5",
-                    fmt::format("{}", std::sqrt(square)));
-  }
+  throw bad_input(place, with_hint("the normal is no unit vector", guessed), "length 1 within 1e-5",
+                  fmt::format("{}", std::hypot(row[nx], row[ny])));
 }
 
 ColumnSet required_contact_columns(ColumnSet needed, ColumnSet given) {

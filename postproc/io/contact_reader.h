@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "io/column_map.h"
 #include "io/dump_reader.h"
 #include "io/further_piece.h"
+#include "io/row_parser.h"
 
 namespace mikromakro {
 
@@ -70,6 +72,15 @@ struct ContactFormat {
 /// engines' %g keeps 6 digits). `guessed`: the columns have no names and only look like ours, which the
 /// message then says.
 void check_contact_row(const ContactRow& row, ColumnSet given, bool guessed, const Place& place);
+
+/// Whether it would throw nothing.
+inline bool is_sound(const ContactRow& row, ColumnSet given) {
+  if (!is_integer(row[ContactColumn::id1]) || !is_integer(row[ContactColumn::id2])) return false;
+  if ((column_set(ContactColumn::nx, ContactColumn::ny) & ~given) != 0) return true;
+  constexpr double unit_tolerance = 1e-5;
+  const double x = row[ContactColumn::nx], y = row[ContactColumn::ny];
+  return std::abs(x * x + y * y - 1) <= 2 * unit_tolerance;
+}
 
 /// The columns without which contacts cannot be joined: normal and overlap can be derived, and the force
 /// where its two components along normal and tangent are given.

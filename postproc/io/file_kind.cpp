@@ -34,7 +34,8 @@ constexpr Kind kinds[] = {
     {"PK\x03\x04"sv, "zip", decompress},
     {"7z\xbc\xaf\x27\x1c"sv, "7z", decompress},
     {"\x89HDF\r\n\x1a\n"sv, "HDF5",
-     "text (HDF5 snapshots of ours are inputs of their own, not of --particles)"},
+     "text (HDF5 snapshots of ours are inputs of average, audit, draw without --particles; a table is read "
+     "as .csv)"},
     {"CDF\x01"sv, "NetCDF", dump},
     {"CDF\x02"sv, "NetCDF", dump},
     {"CDF\x05"sv, "NetCDF", dump},

@@ -138,7 +138,7 @@ FrameStream::FrameStream(const FrameSource& source)
       format_(format_of(source)) {}
 
 bool FrameStream::is_looked_at_closely(std::int64_t step) {
-  constexpr std::int64_t seldom = 32;
+  constexpr std::int64_t seldom = 64;
   if (!of_all_ranks_.contains(index_, step)) return false;
   const bool run_begins = last_selected_run_ != format_->run();
   last_selected_run_ = format_->run();

@@ -63,7 +63,7 @@ using MakeFrame = std::function<void(Frame&)>;
 /// all that join_contacts throws.
 void join(RawFrame& raw, Frame& frame, ContactRules rules);
 
-/// Frames are looked at closely now and then, the first of each run and every 32nd of those that all ranks
+/// Frames are looked at closely now and then, the first of each run and every 64th of those that all ranks
 /// read: what costs time but finds what is wrong in a whole file. Throws: contacts that are required and not
 /// there, masses where a density is given, too; ids that are there twice, and all that the formats and
 /// join_contacts throw.

@@ -32,7 +32,8 @@ std::string last_reason() {
 }
 
 [[noreturn]] void cannot_read(const std::string& place) {
-  throw bad_input({place}, "cannot read from the file", "a complete HDF5 file of mikromakro", last_reason());
+  throw bad_input({place}, "cannot read from the file",
+                  "a complete HDF5 file of mikromakro (text dumps: --particles)", last_reason());
 }
 
 [[noreturn]] void cannot_write(const std::string& place) {

@@ -35,13 +35,7 @@ IdMap::IdMap(const std::vector<Particle>& particles) {
   }
 }
 
-int IdMap::find(std::int64_t id) const {
-  if (!dense_.empty()) {
-    const std::int64_t offset = id - lowest_;
-    return offset >= 0 && offset < static_cast<std::int64_t>(dense_.size())
-               ? dense_[static_cast<std::size_t>(offset)]
-               : -1;
-  }
+int IdMap::search(std::int64_t id) const {
   const auto found =
       std::lower_bound(sorted_.begin(), sorted_.end(), id,
                        [](const Entry& entry, std::int64_t wanted) { return entry.id < wanted; });

@@ -13,12 +13,18 @@ class IdMap {
   explicit IdMap(const std::vector<Particle>& particles);
 
   /// Index of the particle, -1 when there is none of this id.
-  int find(std::int64_t id) const;
+  int find(std::int64_t id) const {
+    const std::int64_t offset = id - lowest_;
+    if (dense_.empty()) return search(id);
+    return offset >= 0 && offset < std::ssize(dense_) ? dense_[static_cast<std::size_t>(offset)] : -1;
+  }
 
   /// Index of the first particle whose id an earlier one has, -1 when all ids differ.
   int duplicate() const { return duplicate_; }
 
  private:
+  int search(std::int64_t id) const;
+
   struct Entry {
     std::int64_t id;
     int index;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <utility>
 
 #include "io/contact_tolerance.h"
 
@@ -31,8 +30,8 @@ class Grid {
     }
     // A disc among much smaller ones would stand in thousands of cells.
     constexpr double most_cells_across = 16;
-    const double wanted = std::max(2 * sum / static_cast<double>(std::max<std::size_t>(1, discs.size())),
-                                   2 * largest / most_cells_across);
+    const double mean = sum / static_cast<double>(std::max<std::size_t>(1, discs.size()));
+    const double wanted = std::max(4 * mean, 2 * largest / most_cells_across);
     const Vector2d length = box.length();
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
       cell_[axis] = wanted;
@@ -69,7 +68,8 @@ class Grid {
 
   std::int64_t wrapped(std::int64_t cell, Eigen::Index axis) const {
     const std::int64_t around = around_[axis];
-    return around > 0 ? ((cell % around) + around) % around : cell;
+    if (around == 0 || (cell >= 0 && cell < around)) return cell;
+    return ((cell % around) + around) % around;
   }
 
   template <typename Visit>
@@ -105,17 +105,10 @@ class Grid {
   std::vector<int> entries_;                           // indices of discs
 };
 
-using Indices = std::pair<int, int>;
-
-bool is_averaged(const Particle& disc, const std::vector<int>& types) {
-  return types.empty() || std::find(types.begin(), types.end(), disc.type) != types.end();
-}
-
-}  // namespace
-
-std::vector<DiscPair> overlapping_discs(const std::vector<Particle>& discs, const Box& box) {
+// Visits each pair of discs that overlap with its overlap, pairs that share several cells more than once.
+template <typename Visit>
+void visit_overlaps(const std::vector<Particle>& discs, const Box& box, Visit visit) {
   const Grid grid(discs, box);
-  std::vector<DiscPair> pairs;
   for (std::size_t bucket = 0; bucket < grid.buckets(); ++bucket) {
     const auto inside = grid.discs_in(bucket);
     for (std::size_t i = 0; i < inside.size(); ++i)
@@ -124,46 +117,88 @@ std::vector<DiscPair> overlapping_discs(const std::vector<Particle>& discs, cons
         const Particle& two = discs[static_cast<std::size_t>(inside[j])];
         const double reach = one.radius + two.radius;
         const Vector2d branch = grid.nearest(two.position - one.position);
-        if (inside[i] == inside[j] || !(branch.squaredNorm() < reach * reach)) continue;
-        pairs.push_back({inside[i], inside[j], reach - branch.norm()});
+        if (branch.squaredNorm() < reach * reach && inside[i] != inside[j])
+          visit(DiscPair{inside[i], inside[j], reach - branch.norm()});
       }
   }
-  // Pairs may share several cells.
-  std::sort(pairs.begin(), pairs.end());
+}
+
+void sort_out(std::vector<DiscPair>& pairs) {
+  std::sort(pairs.begin(), pairs.end(), [](const DiscPair& a, const DiscPair& b) {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+  });
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+// The partners of each disc that contacts name, under the smaller index of both.
+class Listed {
+ public:
+  Listed(const std::vector<Contact>& contacts, std::size_t discs) : begin_(discs + 1, 0) {
+    const auto pairs = [&](auto take) {
+      for (const Contact& contact : contacts)
+        if (!contact.with_wall())
+          take(static_cast<std::size_t>(std::min(contact.index1, contact.index2)),
+               std::max(contact.index1, contact.index2));
+    };
+    pairs([&](std::size_t first, int) { ++begin_[first + 1]; });
+    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+    partners_.resize(begin_.back());
+    std::vector<std::size_t> next = begin_;
+    pairs([&](std::size_t first, int second) { partners_[next[first]++] = second; });
+  }
+
+  bool has(const DiscPair& pair) const {
+    const auto first = static_cast<std::size_t>(pair.first);
+    const auto partners = std::span(partners_).subspan(begin_[first], begin_[first + 1] - begin_[first]);
+    return std::find(partners.begin(), partners.end(), pair.second) != partners.end();
+  }
+
+ private:
+  std::vector<std::size_t> begin_;
+  std::vector<int> partners_;
+};
+
+bool is_averaged(const Particle& disc, const std::vector<int>& types) {
+  return types.empty() || std::find(types.begin(), types.end(), disc.type) != types.end();
+}
+
+}  // namespace
+
+std::vector<DiscPair> overlapping_discs(const std::vector<Particle>& discs, const Box& box) {
+  std::vector<DiscPair> pairs;
+  visit_overlaps(discs, box, [&](const DiscPair& pair) { pairs.push_back(pair); });
+  sort_out(pairs);
   return pairs;
 }
 
 void note_overlaps(const RawFrame& raw, const std::vector<Contact>& contacts, const ContactRules& rules) {
   const std::vector<Particle>& discs = raw.particles;
-  std::vector<Indices> listed;
-  for (const Contact& contact : contacts)
-    if (!contact.with_wall()) listed.emplace_back(std::minmax(contact.index1, contact.index2));
-  std::sort(listed.begin(), listed.end());
+  const Listed listed(contacts, discs.size());
   const ContactTolerance tolerance(raw.contacts, discs, raw.place_error);
-  std::int64_t unlisted = 0, on_one_another = 0;
-  for (const DiscPair& pair : overlapping_discs(discs, raw.box)) {
+  std::vector<DiscPair> unlisted, on_one_another;
+  visit_overlaps(discs, raw.box, [&](const DiscPair& pair) {
     const Particle& one = discs[static_cast<std::size_t>(pair.first)];
     const Particle& two = discs[static_cast<std::size_t>(pair.second)];
-    if (!is_averaged(one, rules.averaged_types) && !is_averaged(two, rules.averaged_types)) continue;
+    if (!is_averaged(one, rules.averaged_types) && !is_averaged(two, rules.averaged_types)) return;
     const double smaller = std::min(one.radius, two.radius);
-    if (pair.overlap > 0.5 * smaller) ++on_one_another;
-    if (!raw.with_contacts ||
-        std::binary_search(listed.begin(), listed.end(), Indices(pair.first, pair.second)))
-      continue;
-    if (pair.overlap > tolerance.of_geometry(smaller, one.radius + two.radius, not_given, false)) ++unlisted;
-  }
-  if (on_one_another > 0)
+    if (pair.overlap > 0.5 * smaller) on_one_another.push_back(pair);
+    if (!raw.with_contacts || listed.has(pair)) return;
+    if (pair.overlap > tolerance.of_geometry(smaller, one.radius + two.radius, not_given, false))
+      unlisted.push_back(pair);
+  });
+  sort_out(unlisted);
+  sort_out(on_one_another);
+  if (!on_one_another.empty())
     rules.notes->add(
         "discs lie on one another, by more than half a radius (a periodic box that is too short, or a "
         "packing "
         "that is there twice?); looked for now and then",
-        raw.step, on_one_another);
-  if (unlisted > 0)
+        raw.step, std::ssize(on_one_another));
+  if (!unlisted.empty())
     rules.notes->add(
         "discs overlap but have no row of a contact, which stress, fabric and coordination lack (rows of a "
         "group only, or of another run?); looked for now and then",
-        raw.step, unlisted);
+        raw.step, std::ssize(unlisted));
 }
 
 }  // namespace mikromakro

@@ -16,11 +16,14 @@ double positive(double value, std::string_view what, const Place& place) {
   return value;
 }
 
-std::int64_t counting(double value, std::string_view what, const Place& place) {
+[[noreturn]] void throw_no_count(double value, std::string_view what, const Place& place) {
   const std::int64_t number = as_integer(value, what, place);
-  if (number < 1)
-    throw bad_input(place, fmt::format("{} below 1", what), "1 or more", fmt::format("{}", number));
-  return number;
+  throw bad_input(place, fmt::format("{} below 1", what), "1 or more", fmt::format("{}", number));
+}
+
+inline std::int64_t counting(double value, std::string_view what, const Place& place) {
+  if (!(value >= 1 && is_integer(value))) throw_no_count(value, what, place);
+  return static_cast<std::int64_t>(value);
 }
 
 }  // namespace

@@ -11,6 +11,9 @@ namespace mikromakro {
 void PrintedDigits::add(double number) {
   if (number == 0 || !std::isfinite(number)) return;
   ++count_;
+  // Who prints as many keeps what a calculation has.
+  constexpr int all_that_matter = 15;
+  if (digits_ >= all_that_matter) return;
   // The shortest text that is this number: d.ddde+dd.
   std::array<char, 32> text{};
   const auto [end, code] =

@@ -58,9 +58,6 @@ bool parse_plain_row(std::string_view line, const ColumnMap& map, std::span<doub
   return at == end;
 }
 
-// Not more than 2^53, so that no id is rounded to another one.
-constexpr double largest_integer = 9007199254740992.0;
-
 }  // namespace
 
 std::string_view next_word(std::string_view& rest) {
@@ -97,16 +94,9 @@ double parse_number(std::string_view word, const Place& place) {
   return number;
 }
 
-bool is_integer(double number) {
-  return std::abs(number) <= largest_integer &&
-         number == static_cast<double>(static_cast<std::int64_t>(number));
-}
-
-std::int64_t as_integer(double number, std::string_view what, const Place& place) {
-  if (!is_integer(number))
-    throw bad_input(place, fmt::format("{} is not a whole number", what), "a whole number",
-                    fmt::format("{}", number));
-  return static_cast<std::int64_t>(number);
+void throw_no_integer(double number, std::string_view what, const Place& place) {
+  throw bad_input(place, fmt::format("{} is not a whole number", what), "a whole number",
+                  fmt::format("{}", number));
 }
 
 std::int64_t parse_integer(std::string_view word, const Place& place) {

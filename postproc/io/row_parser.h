@@ -1,6 +1,7 @@
 // Numbers of one line of text into the slots of a column map.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -28,8 +29,15 @@ double parse_number(std::string_view word, const Place& place);
 /// A whole number. Throws for anything else. Accepts whole numbers written as floating point (1e+06), as the
 /// %g format of the engines' local dumps does.
 std::int64_t parse_integer(std::string_view word, const Place& place);
-bool is_integer(double number);
-std::int64_t as_integer(double number, std::string_view what, const Place& place);
+inline bool is_integer(double number) {
+  constexpr double largest = 9007199254740992;  // 2^53, so that no id is rounded to another one
+  return std::abs(number) <= largest && number == static_cast<double>(static_cast<std::int64_t>(number));
+}
+[[noreturn]] void throw_no_integer(double number, std::string_view what, const Place& place);
+inline std::int64_t as_integer(double number, std::string_view what, const Place& place) {
+  if (!is_integer(number)) throw_no_integer(number, what, place);
+  return static_cast<std::int64_t>(number);
+}
 
 /// Parses one row; slots that no column fills are left as they are. Throws on too few or too many columns, on
 /// numbers that are none, and where a column that is there again holds another number.

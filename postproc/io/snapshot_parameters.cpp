@@ -30,11 +30,11 @@ void check(const std::string& file, const std::string& name, const std::string& 
   throw bad_input({file}, fmt::format("is of another system, {} differs", name), there, wanted);
 }
 
-// None where there are none, or in another unit.
+// None where there are none, or in another unit (empty: without one).
 std::vector<double> numbers_in(const Hdf5File& file, const std::string& name, const std::string& unit) {
   const std::string path = snapshot::parameters + "/" + name;
-  if (!file.has(path) || !file.has_attribute(path, "unit")) return {};
-  if (file.text_attribute(path, "unit") != std::vector<std::string>{unit}) return {};
+  if (!file.has(path) || file.has_attribute(path, "unit") == unit.empty()) return {};
+  if (!unit.empty() && file.text_attribute(path, "unit") != std::vector<std::string>{unit}) return {};
   const Hdf5Dataset dataset = file.dataset(path);
   const Hdf5Shape shape = dataset.shape();
   std::vector<double> numbers(
@@ -53,6 +53,7 @@ RunConstants read_constants(const Hdf5File& file) {
   if (const auto heights = numbers_in(file, "height", "m"); heights.size() == 1)
     constants.height = heights[0];
   constants.normal_stiffness = numbers_in(file, "kn", "N/m");
+  constants.friction = numbers_in(file, "coefficientFriction", "");
   return constants;
 }
 

@@ -31,6 +31,7 @@ struct RunConstants {
   double height = 0;                     ///< m, 0: not said
   std::vector<double> normal_stiffness;  ///< k_n (N/m) of all pairs of types i, j at (i - 1) * types + j - 1;
                                          ///< none for other laws than linear ones
+  std::vector<double> friction;          ///< mu of all pairs of types
 };
 RunConstants read_constants(const Hdf5File& file);
 

@@ -60,7 +60,7 @@ TEST(MercuryInput, GivesTheAveragesOfTheSameDiscsInDumps) {
 TEST(MercuryInput, CanBeConvertedToHdf5) {
   const Folder folder;
   const std::string files = "--particles good/mercury.data --contacts good/mercury.fstat --density 0.25 ";
-  const std::string file = "'" + folder.path("m.h5") + "'";
+  const std::string file = fmt::format("'{}'", folder.path("m.h5"));
   EXPECT_EQ(run_program("convert " + files + "--out " + file).code, 0);
   const Ran from_file = run_program("average " + file + rings);
   EXPECT_EQ(numbers(from_file.out), numbers(run_program("average " + files + rings).out)) << from_file.err;
@@ -150,6 +150,9 @@ TEST(SeveralRuns, AreRefusedWhereTheyAreOne) {
   const std::string snapshots = std::string("'").append(folder.path("run.h5")).append("' ");
   ASSERT_EQ(run_program("convert " + dumps + "--out " + snapshots).code, 0);
   EXPECT_EQ(run_program("average " + snapshots + "--snapshots " + snapshots + rings).code, 2);
+  // In one file their steps would come twice.
+  const Ran both = run_program("convert " + dumps + further_run(folder, 1) + "--out " + snapshots);
+  EXPECT_NE(both.err.find("a file holds one run"), std::string::npos) << both.err;
 }
 
 TEST(SeveralRuns, AreTheSameOnRanks) {

@@ -215,6 +215,8 @@ TEST(Fit, TablesWithoutAProfileAreRefused) {
   const Ran ran = run_program("fit '" + zeros + "'");
   EXPECT_EQ(ran.code, 1);
   EXPECT_NE(ran.err.find("there is nothing to fit"), std::string::npos) << ran.err;
+  EXPECT_NE(run_program("fit good/profile.csv --ri 0 --omega 1").err.find("a wheel of no radius"),
+            std::string::npos);
 }
 
 TEST(Fit, TooFewRingsAreAFailedRun) {

@@ -180,11 +180,11 @@ std::string contacts_with_places(std::int64_t step, double x2) {
          std::to_string(x2) + " 2 1 0 0.05 -7 1\n";
 }
 
-// Steps 0 to 39, of which one has rows that put disc 3 elsewhere.
+// Steps 0 to 69, of which one has rows that put disc 3 elsewhere.
 std::string what_is_said(const FrameSelection& selection, int wrong) {
   const Folder folder;
   std::string discs, rows;
-  for (int step = 0; step < 40; ++step) {
+  for (int step = 0; step < 70; ++step) {
     discs += particles(step);
     rows += contacts_with_places(step, step == wrong ? 2.1 : 1.7);
   }
@@ -198,19 +198,19 @@ std::string what_is_said(const FrameSelection& selection, int wrong) {
   return "";
 }
 
-// Columns that are not needed cost time: they are looked at in frame 0 and every 32nd of the selected ones.
+// Columns that are not needed cost time: they are looked at in frame 0 and every 64th of the selected ones.
 TEST(FrameStream, ChecksWhatIsNotNeededNowAndThen) {
   const FrameSelection all;
   EXPECT_EQ(what_is_said(all, -1), "");
   EXPECT_NE(what_is_said(all, 0).find("disc 3 is not where the row says"), std::string::npos);
-  EXPECT_NE(what_is_said(all, 32).find("disc 3 is not where the row says"), std::string::npos);
-  EXPECT_EQ(what_is_said(all, 31), "");
+  EXPECT_NE(what_is_said(all, 64).find("disc 3 is not where the row says"), std::string::npos);
+  EXPECT_EQ(what_is_said(all, 63), "");
   FrameSelection later;
   select_frames("7:", later);
   EXPECT_NE(what_is_said(later, 7).find("disc 3 is not where the row says"), std::string::npos);
   FrameSelection by_step;
-  select_steps("3:35", by_step);
-  EXPECT_NE(what_is_said(by_step, 35).find("disc 3 is not where the row says"), std::string::npos);
+  select_steps("3:67", by_step);
+  EXPECT_NE(what_is_said(by_step, 67).find("disc 3 is not where the row says"), std::string::npos);
 }
 
 TEST(FrameStream, BoxesOfOneStepHaveOneBoundary) {

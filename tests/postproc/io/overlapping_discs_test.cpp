@@ -113,10 +113,10 @@ TEST(NoteOverlaps, LeavesOutWhatDigitsDoNotTell) {
 
 TEST(NoteOverlaps, TellsOfDiscsOnOneAnother) {
   const std::vector<Particle> discs = {disc(1, 1, 1, 0.5), disc(2, 1.2, 1, 0.5), disc(3, 5, 5, 0.5),
-                                       disc(4, 5.6, 5, 0.5)};
+                                       disc(4, 5.8, 5, 0.5)};
   const std::string text = notes_of(discs, {}, {}, false);
   EXPECT_NE(text.find("discs lie on one another"), std::string::npos) << text;
-  EXPECT_NE(text.find("(step 5)"), std::string::npos) << text;  // once: the others overlap by 0.4
+  EXPECT_NE(text.find("(step 5)"), std::string::npos) << text;  // once: the others overlap by 0.2
 }
 
 }  // namespace

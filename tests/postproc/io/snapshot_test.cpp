@@ -212,7 +212,7 @@ TEST(Snapshots, ForcesThatContradictThemselvesAreAnError) {
     return stream.next(frame);
   };
   EXPECT_TRUE(read("right.h5"));
-  raw.contacts.rows[600].value[static_cast<std::size_t>(ContactColumn::fy)] = -2;
+  raw.contacts.rows[600].value[static_cast<std::size_t>(ContactColumn::fx)] *= -1;
   EXPECT_THROW(read("wrong.h5"), Error);
 }
 
