@@ -1,0 +1,142 @@
+#include "fit/fit_errors.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "averaging/block_errors.h"
+#include "fit/student_t.h"
+#include "io/error.h"
+
+namespace mikromakro {
+namespace {
+
+constexpr double confidence = 0.95;
+constexpr double normal_quantile = 1.959963984540054;
+constexpr std::int64_t enough_runs = 8;
+
+// A row for each block: v0, s, and v in the rings that are used.
+Eigen::ArrayXXd pseudo_values(const ExponentialProfile& fitted, const ColumnWithoutBlocks& blocks,
+                              const FitValues& fit) {
+  const Eigen::Index count = blocks.values.cols();
+  Eigen::ArrayXXd without(count, 2 + static_cast<Eigen::Index>(fitted.used.size()));
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::ArrayXd values = blocks.values.col(i);
+    const ExponentialProfile one = fit(values);
+    without.row(i) << one.v0, one.s, values(fitted.used).transpose();
+  }
+  const auto m = static_cast<double>(count);
+  return (-(m - 1) * without).rowwise() + (m * without.colwise().mean());
+}
+
+double correlation(const Eigen::ArrayXXd& series) {
+  const Eigen::ArrayXXd deviation = series.leftCols(2).rowwise() - series.leftCols(2).colwise().mean();
+  return (deviation.col(0) * deviation.col(1)).sum() /
+         std::sqrt(deviation.col(0).square().sum() * deviation.col(1).square().sum());
+}
+
+void widen(const Eigen::Array2d& error, double freedom, FitErrors& errors) {
+  errors.freedom = freedom;
+  errors.error = student_width(freedom) * error;
+  errors.half_width = student_t(confidence, freedom) * error;
+}
+
+// Of independent runs with `frames` of all frames each; rows of `series` are their values.
+FitErrors errors_of_runs(const Eigen::ArrayXXd& series, const Eigen::ArrayXd& share) {
+  const auto runs = static_cast<double>(series.rows());
+  FitErrors errors;
+  errors.method = "jackknife of runs";
+  errors.remark = fmt::format("scatter of {} independent runs", series.rows());
+  errors.correlation = correlation(series);
+  Eigen::Array2d variance;
+  for (Eigen::Index i = 0; i < 2; ++i) {
+    const double mean = (share * series.col(i)).sum();
+    variance[i] = (share * (series.col(i) - mean)).square().sum() * runs / (runs - 1);
+  }
+  errors.samples = 1 / share.square().sum();
+  widen(variance.sqrt(), runs - 1, errors);
+  return errors;
+}
+
+FitErrors errors_of_series(const Eigen::ArrayXXd& series, const ColumnWithoutBlocks& blocks) {
+  // Each block is a frame of an average that keeps all of them, of a field of one volume.
+  TimeAverage average(static_cast<std::size_t>(series.rows()));
+  for (Eigen::Index i = 0; i < series.rows(); ++i)
+    average.add(series.row(i), blocks.runs[static_cast<std::size_t>(i)]);
+  const BlockErrors made =
+      block_errors(average, [](const Rows& values) { return values; }, {{"fit", series.cols()}});
+  const CorrelationTime& time = made.fields.front().correlation;
+  const ErrorDecision& decision = made.fields.front().decision;
+  FitErrors errors;
+  errors.remark = fmt::format("{} blocks of {} frames", series.rows(), blocks.frames);
+  if (made.fields.front().series == 0 || std::isnan(time.time)) {
+    errors.remark += ", too few to tell 2 tau";
+    return errors;
+  }
+  errors.two_tau = blocks.frames * time.time;
+  errors.two_tau_error = errors.two_tau * time.uncertainty;
+  errors.samples = decision.samples;
+  if (!made.error.leftCols(2).isFinite().all()) {
+    errors.remark += fmt::format(", {:.3g} effective samples of the {:.3g} that are needed", decision.samples,
+                                 std::ceil(decision.needed));
+    return errors;
+  }
+  errors.method = "jackknife of blocks";
+  errors.correlation = correlation(series);
+  widen(made.error.leftCols(2).transpose() / student_width(decision.freedom), decision.freedom, errors);
+  return errors;
+}
+
+struct Runs {
+  Eigen::ArrayXXd mean;  // a row for each run
+  Eigen::ArrayXd share;  // of all blocks
+};
+
+Runs by_run(const Eigen::ArrayXXd& series, const std::vector<std::int64_t>& runs) {
+  std::vector<Eigen::Index> begins;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (i == 0 || runs[i] != runs[i - 1]) begins.push_back(static_cast<Eigen::Index>(i));
+  const auto count = static_cast<Eigen::Index>(begins.size());
+  begins.push_back(series.rows());
+  Runs result{Eigen::ArrayXXd(count, series.cols()), Eigen::ArrayXd(count)};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto run = static_cast<std::size_t>(i);
+    const Eigen::Index length = begins[run + 1] - begins[run];
+    result.mean.row(i) = series.middleRows(begins[run], length).colwise().mean();
+    result.share[i] = static_cast<double>(length) / static_cast<double>(series.rows());
+  }
+  return result;
+}
+
+}  // namespace
+
+FitErrors errors_from_blocks(const ExponentialProfile& fitted, const ColumnWithoutBlocks& blocks,
+                             const FitValues& fit) {
+  FitErrors none;
+  none.remark = "there is no such profile without one of the blocks";
+  try {
+    const Eigen::ArrayXXd series = pseudo_values(fitted, blocks, fit);
+    if (!series.isFinite().all()) return none;
+    const Runs runs = by_run(series, blocks.runs);
+    return runs.share.size() >= enough_runs ? errors_of_runs(runs.mean, runs.share)
+                                            : errors_of_series(series, blocks);
+  } catch (const Error&) {
+    return none;
+  }
+}
+
+FitErrors errors_from_rings(const ExponentialProfile& fitted, const Eigen::ArrayXd& error_of_ring) {
+  FitErrors errors;
+  const Eigen::ArrayXd error = error_of_ring(fitted.used);
+  if (!error.isFinite().all()) {
+    errors.remark = "a ring has no error";
+    return errors;
+  }
+  errors.method = "errors of the rings, upper bound";
+  errors.remark = "whatever rings fluctuate together";
+  errors.error = (fitted.change.cwiseAbs() * error.matrix()).array();
+  errors.half_width = normal_quantile * errors.error;
+  return errors;
+}
+
+}  // namespace mikromakro
