@@ -50,7 +50,7 @@ std::vector<Estimate> estimates(const FitReport& report) {
   return all;
 }
 
-void print_line(const Estimate& one, bool at_most) {
+void print_line(const Estimate& one, bool at_most, bool chosen) {
   const std::string unit = one.unit.empty() ? "" : " " + one.unit;
   fmt::print("{} = {:.6g}", one.name, one.value);
   if (!std::isnan(one.error))
@@ -58,7 +58,8 @@ void print_line(const Estimate& one, bool at_most) {
                one.value - one.half_width, one.value + one.half_width);
   else
     fmt::print("{}", unit);
-  fmt::print("; by choices {:.4g} to {:.4g}\n", one.least, one.greatest);
+  if (chosen) fmt::print("; by choices {:.4g} to {:.4g}", one.least, one.greatest);
+  fmt::print("\n");
 }
 
 void print_errors(const FitErrors& errors) {
@@ -139,12 +140,13 @@ void print_text(const FitReport& report) {
   fmt::print(
       "{}(r) = v0 exp(-(r - R_i)/s), R_i = {:.6g} m, least squares of {}, {} rings, r = {:.6g} to {:.6g} m\n",
       report.column, report.r_i, of_what(report), report.fitted.used.size(), report.first_r, report.last_r);
-  std::vector<Estimate> all = estimates(report);
+  const std::vector<Estimate> all = estimates(report);
+  const bool chosen = report.choices.size() > 1;  // else all was said
   const bool at_most = !std::isnan(report.errors.error[0]) && std::isnan(report.errors.freedom);
   for (const Estimate& one : all)
-    if (!std::isnan(one.value)) print_line(one, at_most);
+    if (!std::isnan(one.value)) print_line(one, at_most, chosen);
   print_errors(report.errors);
-  print_choices(report, all);
+  if (chosen) print_choices(report, all);
   fmt::print("rms of the residuals = {:.6g} {}", report.fitted.residual_rms,
              report.unit.empty() ? "(the table does not tell the unit)" : report.unit);
   if (!std::isnan(report.residuals_over_errors))

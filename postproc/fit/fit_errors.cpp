@@ -132,8 +132,8 @@ FitErrors errors_from_rings(const ExponentialProfile& fitted, const Eigen::Array
     errors.remark = "a ring has no error";
     return errors;
   }
-  errors.method = "errors of the rings, upper bound";
-  errors.remark = "whatever rings fluctuate together";
+  errors.method = "upper bound from the rings' errors";
+  errors.remark = "however rings fluctuate together";
   errors.error = (fitted.change.cwiseAbs() * error.matrix()).array();
   errors.half_width = normal_quantile * errors.error;
   return errors;

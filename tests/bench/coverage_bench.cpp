@@ -1,5 +1,5 @@
 // How often standard errors cover the truth, in artificial runs whose truth is known, as Markdown:
-//   build/bin/coverage_bench [TRIALS]
+//   build/bin/coverage_bench [TRIALS] [fit]     fit: the tables of fitted profiles alone
 // "before" is the rule that decided number by number, "now" that of block_errors.
 #include <fmt/format.h>
 
@@ -8,6 +8,7 @@
 #include <string>
 
 #include "averaging/error_trials.h"
+#include "fit_coverage.h"
 
 namespace mikromakro::bench {
 namespace {
@@ -149,6 +150,8 @@ void several_runs() {
 int main(int argc, char** argv) {
   using namespace mikromakro::bench;
   if (argc > 1) trials = std::max(1, std::atoi(argv[1]));
+  print_fit_coverage(trials);
+  if (argc > 2 && std::string(argv[2]) == "fit") return 0;
   for (const Eigen::Index volumes : {20, 4, 1}) correlated(volumes);
   two_scales();
   unlike();

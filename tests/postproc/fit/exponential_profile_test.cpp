@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "io/error.h"
 #include "measured_error.h"
@@ -27,8 +26,52 @@ TEST(ExponentialProfile, ExactDataGiveBackTheirParameters) {
     const ExponentialProfile fit = fit_exponential(exact_profile(v0, 60), r_i);
     expect_measured(fit.v0 / v0, 1, 1e-10);
     expect_measured(fit.s / width, 1, 1e-10);
-    EXPECT_EQ(fit.used.size(), 60);
+    EXPECT_EQ(fit.used.size(), 60U);
     EXPECT_LT(fit.residual_rms, 1e-12 * std::abs(v0));
+  }
+}
+
+TEST(ExponentialProfile, LogarithmsOfExactDataGiveBackTheirParameters) {
+  for (const double v0 : {6.66e-3, -6.66e-3}) {
+    ProfilePoints points = exact_profile(v0, 60);
+    for (const bool weighted : {false, true}) {
+      if (weighted) points.error = 0.1 * points.v.abs() + 1e-6;
+      const ExponentialProfile fit = fit_exponential(points, r_i, FitOf::log_v);
+      expect_measured(fit.v0 / v0, 1, 1e-10);
+      expect_measured(fit.s / width, 1, 1e-10);
+    }
+  }
+}
+
+// log v = 0, -1, -1, -3 at x = 0, 1, 2, 3: the line through them is 0.1 - 0.9 x.
+TEST(ExponentialProfile, LogarithmsAreFittedByAStraightLine) {
+  ProfilePoints points;
+  points.r = Eigen::Array4d(1, 2, 3, 4);
+  points.v = Eigen::Array4d(0, -1, -1, -3).exp();
+  const ExponentialProfile fit = fit_exponential(points, 1, FitOf::log_v);
+  expect_measured(fit.v0, std::exp(0.1), 1e-12);
+  expect_measured(fit.s, 1 / 0.9, 1e-12);
+}
+
+// Central differences with a step of 1e-4 v: their own error is of the order 1e-8, of Gauss and Newton that
+// of the residuals, which are 0 here.
+TEST(ExponentialProfile, ChangeOfTheParametersIsThatOfTheFit) {
+  for (const FitOf of : {FitOf::v, FitOf::log_v}) {
+    for (const bool weighted : {false, true}) {
+      ProfilePoints points = exact_profile(1, 12);
+      if (weighted) points.error = 0.1 + points.v;
+      const ExponentialProfile fit = fit_exponential(points, r_i, of);
+      for (const Eigen::Index i : {0, 5, 11}) {
+        const double step = 1e-4 * points.v[i];
+        ProfilePoints more = points, less = points;
+        more.v[i] += step;
+        less.v[i] -= step;
+        const ExponentialProfile high = fit_exponential(more, r_i, of), low = fit_exponential(less, r_i, of);
+        const double of_v0 = (high.v0 - low.v0) / (2 * step), of_s = (high.s - low.s) / (2 * step);
+        expect_measured(fit.change(0, i) / of_v0, 1, 1e-6);
+        expect_measured(fit.change(1, i) / of_s, 1, 1e-6);
+      }
+    }
   }
 }
 
@@ -36,7 +79,7 @@ TEST(ExponentialProfile, RingsWithoutValueAreLeftOut) {
   ProfilePoints points = exact_profile(1, 20);
   points.v[3] = std::nan("");
   const ExponentialProfile fit = fit_exponential(points, r_i);
-  EXPECT_EQ(fit.used.size(), 19);
+  EXPECT_EQ(fit.used.size(), 19U);
   expect_measured(fit.s / width, 1, 1e-10);
 }
 
@@ -65,6 +108,10 @@ TEST(ExponentialProfile, WhatCannotBeFittedIsAFailedRun) {
   ProfilePoints growing = exact_profile(1, 20);
   growing.v = growing.v.reverse().eval();
   EXPECT_EQ(kind_of(growing), Error::Kind::run_failed);
+  ProfilePoints signs = exact_profile(1, 20);
+  signs.v[12] = -1e-3;
+  EXPECT_THROW(fit_exponential(signs, r_i, FitOf::log_v), Error);
+  EXPECT_NO_THROW(fit_exponential(signs, r_i));
   ProfilePoints still = exact_profile(0, 20);
   EXPECT_EQ(kind_of(still), Error::Kind::run_failed);
 }
