@@ -53,9 +53,9 @@ CsvTable ring_table(const std::string& file) {
   return table;
 }
 
-Profile profile_of(const CsvTable& table, const FitOptions& options) {
+RingProfile profile_of(const CsvTable& table, const FitOptions& options) {
   const std::string error = options.column + "_err";
-  Profile profile{"", table.column("r"), table.column(options.column), {}};
+  RingProfile profile{"", table.column("r"), table.column(options.column), {}};
   if (options.files.size() > 1) profile.name = table.file();
   if (options.weights == "errors" || table.has(error)) profile.error = table.column(error);
   return profile;
@@ -90,12 +90,12 @@ void take_wheel(const FitOptions& options, const CsvTable& table, FitReport& rep
                     "--ri above 0, or rings that begin there", "0");
 }
 
-FitErrors errors_of(const FitOptions& options, const CsvTable& table, const Profile& profile,
+FitErrors errors_of(const FitOptions& options, const CsvTable& table, const RingProfile& profile,
                     const FitReport& report) {
   if (!options.blocks.empty()) {
     const ColumnWithoutBlocks blocks = column_without_blocks(CsvTable(options.blocks), options.column, table);
     return errors_from_blocks(report.fitted, blocks, [&](const Eigen::ArrayXd& values) {
-      Profile without = profile;
+      RingProfile without = profile;
       without.v = values;
       return fit_exponential(without, report.r_i, report.way);
     });
@@ -106,7 +106,7 @@ FitErrors errors_of(const FitOptions& options, const CsvTable& table, const Prof
   return none;
 }
 
-double residuals_over_errors(const Profile& profile, const FitReport& report) {
+double residuals_over_errors(const RingProfile& profile, const FitReport& report) {
   if (profile.error.size() == 0) return std::nan("");
   const ExponentialProfile& fitted = report.fitted;
   const Eigen::ArrayXd r = profile.r(fitted.used), v = profile.v(fitted.used);
@@ -116,9 +116,9 @@ double residuals_over_errors(const Profile& profile, const FitReport& report) {
 
 FitReport fit_files(const FitOptions& options) {
   const CsvTable table = ring_table(options.files.front());
-  std::vector<Profile> profiles;
+  std::vector<RingProfile> profiles;
   for (const std::string& file : options.files) profiles.push_back(profile_of(ring_table(file), options));
-  const Profile& profile = profiles.front();
+  const RingProfile& profile = profiles.front();
   FitReport report;
   report.column = options.column;
   report.way = way_of(options);

@@ -44,7 +44,7 @@ std::string name_of(const FitWay& way) {
   return name;
 }
 
-FitChoice choose(const Profile& profile, double r_i, const FitWay& way) {
+FitChoice choose(const RingProfile& profile, double r_i, const FitWay& way) {
   FitChoice choice{name_of(way), way};
   if (!profile.name.empty()) choice.name += ", " + profile.name;
   try {
@@ -59,17 +59,17 @@ FitChoice choose(const Profile& profile, double r_i, const FitWay& way) {
 
 }  // namespace
 
-ExponentialProfile fit_exponential(const Profile& profile, double r_i, const FitWay& way) {
+ExponentialProfile fit_exponential(const RingProfile& profile, double r_i, const FitWay& way) {
   const auto inside = profile.r >= way.from && profile.r <= way.to;
   return fit_exponential(
       {profile.r, inside.select(profile.v, std::nan("")), way.by_errors ? profile.error : Eigen::ArrayXd()},
       r_i, way.of);
 }
 
-std::vector<FitChoice> fit_choices(const std::vector<Profile>& profiles, double r_i, const FitWay& way,
+std::vector<FitChoice> fit_choices(const std::vector<RingProfile>& profiles, double r_i, const FitWay& way,
                                    double s, const FitSaid& said) {
   std::vector<FitChoice> choices;
-  for (const Profile& profile : profiles) {
+  for (const RingProfile& profile : profiles) {
     for (const FitWay& one : reasonable_ways(r_i, way, s, said)) {
       if (!one.by_errors || profile.error.isFinite().any()) choices.push_back(choose(profile, r_i, one));
     }

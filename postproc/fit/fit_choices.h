@@ -17,12 +17,12 @@ struct FitWay {
 };
 
 /// A profile with an error in each ring, if there are any (empty: none).
-struct Profile {
+struct RingProfile {
   std::string name;  ///< of the table
   Eigen::ArrayXd r, v, error;
 };
 
-ExponentialProfile fit_exponential(const Profile& profile, double r_i, const FitWay& way);
+ExponentialProfile fit_exponential(const RingProfile& profile, double r_i, const FitWay& way);
 
 /// What was said and is not to be varied.
 struct FitSaid {
@@ -41,7 +41,7 @@ struct FitChoice {
 /// v0/50; of v, of log v (to 4 s only, since the logarithm makes as much of the creep farther out as of all
 /// that is before it), and with weights 1/error^2. `way` and its s come from the fit itself; what was said is
 /// kept.
-std::vector<FitChoice> fit_choices(const std::vector<Profile>& profiles, double r_i, const FitWay& way,
+std::vector<FitChoice> fit_choices(const std::vector<RingProfile>& profiles, double r_i, const FitWay& way,
                                    double s, const FitSaid& said);
 
 }  // namespace mikromakro

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double r_i = 0.1, s = 0.01;
 
-Profile profile(bool with_errors) {
-  Profile profile;
+RingProfile profile(bool with_errors) {
+  RingProfile profile;
   profile.r = Eigen::ArrayXd::LinSpaced(30, 0.101, 0.159);
   profile.v = 2 * (-(profile.r - r_i) / s).exp();
   if (with_errors) profile.error = 0.01 * profile.v + 0.001;
@@ -41,7 +41,7 @@ TEST(FitChoices, LeaveWhatWasSaid) {
   EXPECT_EQ(names(fit_choices({profile(true)}, r_i, {FitOf::log_v}, s, {false, true})),
             (std::vector<std::string>{"log v", "log v, to 0.14 m", "log v, from 0.105 m",
                                       "log v, from 0.105 m, to 0.14 m"}));
-  std::vector<Profile> two = {profile(false), profile(false)};
+  std::vector<RingProfile> two = {profile(false), profile(false)};
   two[0].name = "a.csv";
   two[1].name = "b.csv";
   EXPECT_EQ(
@@ -51,7 +51,7 @@ TEST(FitChoices, LeaveWhatWasSaid) {
 
 // A plateau of 1 % behind the zone: log v to the end of the zone falls less than v, and s is larger.
 TEST(FitChoices, DifferWhereTheProfileIsNoExponential) {
-  Profile flat = profile(false);
+  RingProfile flat = profile(false);
   flat.v += 0.02;
   const auto choices = fit_choices({flat}, r_i, {}, s, {});
   ASSERT_EQ(choices[2].name, "log v, to 0.14 m");
@@ -59,7 +59,7 @@ TEST(FitChoices, DifferWhereTheProfileIsNoExponential) {
 }
 
 TEST(FitChoices, ThatCannotBeFittedHaveNoNumbers) {
-  Profile negative = profile(false);
+  RingProfile negative = profile(false);
   negative.v[12] = -1e-3;
   const auto choices = fit_choices({negative}, r_i, {}, s, {});
   ASSERT_EQ(choices[2].name, "log v, to 0.14 m");
