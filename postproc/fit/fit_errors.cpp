@@ -58,13 +58,16 @@ FitErrors errors_of_runs(const Eigen::ArrayXXd& series, const Eigen::ArrayXd& sh
   return errors;
 }
 
-FitErrors errors_of_series(const Eigen::ArrayXXd& series, const ColumnWithoutBlocks& blocks) {
-  // Each block is a frame of an average that keeps all of them, of a field of one volume.
+// Each block is a frame of an average that keeps all of them, of one volume.
+BlockErrors errors_of_field(const Eigen::ArrayXXd& series, const std::vector<std::int64_t>& runs) {
   TimeAverage average(static_cast<std::size_t>(series.rows()));
   for (Eigen::Index i = 0; i < series.rows(); ++i)
-    average.add(series.row(i), blocks.runs[static_cast<std::size_t>(i)]);
-  const BlockErrors made =
-      block_errors(average, [](const Rows& values) { return values; }, {{"fit", series.cols()}});
+    average.add(series.row(i), runs[static_cast<std::size_t>(i)]);
+  return block_errors(average, [](const Rows& values) { return values; }, {{"fit", series.cols()}});
+}
+
+FitErrors errors_of_series(const Eigen::ArrayXXd& series, const ColumnWithoutBlocks& blocks) {
+  const BlockErrors made = errors_of_field(series, blocks.runs);
   const CorrelationTime& time = made.fields.front().correlation;
   const ErrorDecision& decision = made.fields.front().decision;
   FitErrors errors;
@@ -76,14 +79,17 @@ FitErrors errors_of_series(const Eigen::ArrayXXd& series, const ColumnWithoutBlo
   errors.two_tau = blocks.frames * time.time;
   errors.two_tau_error = errors.two_tau * time.uncertainty;
   errors.samples = decision.samples;
-  if (!made.error.leftCols(2).isFinite().all()) {
-    errors.remark += fmt::format(", {:.3g} effective samples of the {:.3g} that are needed", decision.samples,
-                                 std::ceil(decision.needed));
+  const Eigen::Array2d error = made.error.leftCols(2).transpose();
+  if (!error.isFinite().all()) {
+    errors.remark += decision.samples < decision.needed
+                         ? fmt::format(", {:.3g} effective samples of the {:.3g} that are needed",
+                                       decision.samples, std::ceil(decision.needed))
+                         : ", v0 and s change too slowly for the run to know how much";
     return errors;
   }
   errors.method = "jackknife of blocks";
   errors.correlation = correlation(series);
-  widen(made.error.leftCols(2).transpose() / student_width(decision.freedom), decision.freedom, errors);
+  widen(error / student_width(decision.freedom), decision.freedom, errors);
   return errors;
 }
 

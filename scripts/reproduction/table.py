@@ -222,10 +222,23 @@ def causes():
         fit = profiles.fit(run, **{"count": 60, **how})
         rows.append([f"v0/(Omega R_i); s (mm), run B, Eq. 1: {name}", "0.645; 12.7", f"{with_errors(fit, 'v0_scaled', 1, 3)}; {with_errors(fit, 's', 1e3, 1)}",
                      "seed 1; standard error from blocks of frames of this run, in brackets the range by choices of the fit" if name == "as it is" else "the same"])
-    return rows
+    return [*rows, between_packings()]
+
+
+def chi_square(fits, key):
+    """Per degree of freedom, of the values of packings about their mean, in the errors of each run: 1 where packings do not differ."""
+    values, errors = (np.array([fit[key + end] for fit in fits], dtype=float) for end in ("", "_err"))
+    mean = np.average(values, weights=errors**-2)
+    return np.sum(((values - mean) / errors) ** 2) / (len(fits) - 1)
+
+
+def between_packings():
+    fits = [profiles.fit(run, 60) for run in seeds("B", "viscous")]
+    return ["chi^2 per degree of freedom of v0; s of the packings, run B, Eq. 1", "-", "; ".join(f"{chi_square(fits, key):.1f}" for key in ("v0", "s")),
+            f"{len(fits)} seeds, in the standard errors of one run each; above 1: packings differ by more than one run can know"]
 
 
 GROUPS["trends"] = Group("the table's trends", [run for law in LAWS for run in (run_b(law), *ladder(LAW_NAMES[law]))], trends)
-GROUPS["causes"] = Group("the table's causes: what v_0 and s depend on", [run for _, run, _ in changes_of_run_b()], causes)
+GROUPS["causes"] = Group("the table's causes: what v_0 and s depend on", [*(run for _, run, _ in changes_of_run_b()), seeds("B", "viscous")[-1]], causes)
 GROUPS["g2"] = Group("the table's g_2", SAMPLES, fabric_factor)
 GROUPS["critical_densities"] = Group("the table's thresholds", thresholds.simulations(), thresholds.rows)

@@ -21,6 +21,7 @@ RingProfile profile(bool with_errors) {
 
 std::vector<std::string> names(const std::vector<FitChoice>& choices) {
   std::vector<std::string> all;
+  all.reserve(choices.size());
   for (const FitChoice& choice : choices) all.push_back(choice.name);
   return all;
 }
