@@ -29,6 +29,21 @@ Eigen::ArrayXXd pseudo_values(const ExponentialProfile& fitted, const ColumnWith
   return (-(m - 1) * without).rowwise() + (m * without.colwise().mean());
 }
 
+// v0, s, and the rings of which they are told: those that do a tenth or more of what the ring does that does
+// most to one of them.
+Eigen::ArrayXXd series_of_zone(const Eigen::ArrayXXd& series, const ExponentialProfile& fitted) {
+  constexpr double least_part = 0.1;
+  const Eigen::Index rings = series.cols() - 2;
+  const Eigen::ArrayXXd deviation = series.rowwise() - series.colwise().mean();
+  const Eigen::ArrayXd variance = deviation.rightCols(rings).square().colwise().mean();
+  const Eigen::ArrayXXd parts = fitted.change.array().square().rowwise() * variance.transpose();
+  const Eigen::Array2d most = parts.rowwise().maxCoeff();
+  std::vector<Eigen::Index> chosen = {0, 1};
+  for (Eigen::Index i = 0; i < rings; ++i)
+    if ((parts.col(i) >= least_part * most).any()) chosen.push_back(2 + i);
+  return series(Eigen::all, chosen);
+}
+
 double correlation(const Eigen::ArrayXXd& series) {
   const Eigen::ArrayXXd deviation = series.leftCols(2).rowwise() - series.leftCols(2).colwise().mean();
   return (deviation.col(0) * deviation.col(1)).sum() /
@@ -66,30 +81,49 @@ BlockErrors errors_of_field(const Eigen::ArrayXXd& series, const std::vector<std
   return block_errors(average, [](const Rows& values) { return values; }, {{"fit", series.cols()}});
 }
 
-FitErrors errors_of_series(const Eigen::ArrayXXd& series, const ColumnWithoutBlocks& blocks) {
-  const BlockErrors made = errors_of_field(series, blocks.runs);
-  const CorrelationTime& time = made.fields.front().correlation;
-  const ErrorDecision& decision = made.fields.front().decision;
+std::string too_few(const ErrorDecision& decision) {
+  if (decision.samples < decision.needed)
+    return fmt::format(", {:.3g} effective samples of the {:.3g} that are needed", decision.samples,
+                       std::ceil(decision.needed));
+  return ", v0 and s change too slowly for the run to know how much";
+}
+
+// Of v0 and of s; the errors are not finite where 2 tau is as long as the run, or not to be told.
+struct Slowest {
+  Eigen::Array2d time, error;
+};
+
+Slowest slower_of(const BlockErrors& all, double of_zone, double count) {
+  const Eigen::Array2d own = all.correlation_time.leftCols(2).transpose();
+  const Eigen::Array2d time = own.max(std::isnan(of_zone) ? count : of_zone);
+  const Eigen::Array2d longer = time / (count - time) * (count - own) / own;
+  return {time, all.error.leftCols(2).transpose() * longer.sqrt()};
+}
+
+FitErrors errors_of_series(const Eigen::ArrayXXd& series, const Eigen::ArrayXXd& zone,
+                           const ColumnWithoutBlocks& blocks) {
+  const BlockErrors all = errors_of_field(series, blocks.runs);
+  const CorrelationTime& time = all.fields.front().correlation;
+  const ErrorDecision& decision = all.fields.front().decision;
+  const auto count = static_cast<double>(series.rows());
   FitErrors errors;
   errors.remark = fmt::format("{} blocks of {} frames", series.rows(), blocks.frames);
-  if (made.fields.front().series == 0 || std::isnan(time.time)) {
+  if (all.fields.front().series == 0 || std::isnan(time.time)) {
     errors.remark += ", too few to tell 2 tau";
     return errors;
   }
-  errors.two_tau = blocks.frames * time.time;
+  const double of_zone = errors_of_field(zone, blocks.runs).fields.front().correlation.time;
+  const Slowest slower = slower_of(all, of_zone, count);
+  const bool given = slower.error.isFinite().all();
+  const double slowest = given ? slower.time.maxCoeff() : time.time;
+  errors.two_tau = blocks.frames * slowest;
   errors.two_tau_error = errors.two_tau * time.uncertainty;
-  errors.samples = decision.samples;
-  const Eigen::Array2d error = made.error.leftCols(2).transpose();
-  if (!error.isFinite().all()) {
-    errors.remark += decision.samples < decision.needed
-                         ? fmt::format(", {:.3g} effective samples of the {:.3g} that are needed",
-                                       decision.samples, std::ceil(decision.needed))
-                         : ", v0 and s change too slowly for the run to know how much";
-    return errors;
-  }
+  errors.samples = count / slowest;
+  if (!given) errors.remark += too_few(decision);
+  if (!given) return errors;
   errors.method = "jackknife of blocks";
   errors.correlation = correlation(series);
-  widen(error / student_width(decision.freedom), decision.freedom, errors);
+  widen(slower.error / student_width(decision.freedom), decision.freedom, errors);
   return errors;
 }
 
@@ -124,8 +158,9 @@ FitErrors errors_from_blocks(const ExponentialProfile& fitted, const ColumnWitho
     const Eigen::ArrayXXd series = pseudo_values(fitted, blocks, fit);
     if (!series.isFinite().all()) return none;
     const Runs runs = by_run(series, blocks.runs);
-    return runs.share.size() >= enough_runs ? errors_of_runs(runs.mean, runs.share)
-                                            : errors_of_series(series, blocks);
+    return runs.share.size() >= enough_runs
+               ? errors_of_runs(runs.mean, runs.share)
+               : errors_of_series(series, series_of_zone(series, fitted), blocks);
   } catch (const Error&) {
     return none;
   }

@@ -27,9 +27,10 @@ using FitValues = std::function<ExponentialProfile(const Eigen::ArrayXd&)>;
 
 /// Jackknife: each profile without a block of frames is fitted, and the pseudo-values of v0, of s and of v in
 /// each ring of `fitted` are a field of the table for block_errors. However rings fluctuate together, and
-/// where, is in how v0 and s fluctuate. Of eight runs or more each run counts as one block, and errors have
-/// Student's t of one degree of freedom less than there are runs: what differs from run to run and not within
-/// one is counted then.
+/// where, is in how v0 and s fluctuate. Their 2 tau is not taken below that of the rings of which they are
+/// told, which fluctuate otherwise than most: this one is known less well, and the larger of two counts. Of
+/// eight runs or more each run counts as one block, and errors have Student's t of one degree of freedom less
+/// than there are runs: what differs from run to run and not within one is counted then.
 FitErrors errors_from_blocks(const ExponentialProfile& fitted, const ColumnWithoutBlocks& blocks,
                              const FitValues& fit);
 

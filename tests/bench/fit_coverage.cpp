@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fit/fit_trials.h"
@@ -42,6 +43,23 @@ void one_run(ProfileTrials trials, const std::vector<double>& correlations) {
   }
 }
 
+// Rings of another memory than those of which v0 and s are told.
+void unlike(ProfileTrials trials) {
+  trials.length = 0.008;
+  for (const int rings : {20, 60}) {
+    for (const int frames : {100, 400}) {
+      for (const auto& [near, behind] : {std::pair(0.7, 0.0), std::pair(0.8, 0.3), std::pair(0.0, 0.7)}) {
+        trials.rings = rings;
+        trials.frames = frames;
+        trials.rho = near;
+        trials.rho_behind = behind;
+        line(fmt::format("{} rings, {} frames, correlation {}, {} behind", rings, frames, near, behind),
+             trials);
+      }
+    }
+  }
+}
+
 void several_runs(ProfileTrials trials) {
   trials.length = 0.008;
   trials.rho = 0.5;
@@ -73,10 +91,11 @@ void print_fit_coverage(int trials) {
   scene.noise = 0.15;
   scene.ground = 0.0025;
   one_run(scene, correlations);
-  head(
-      "Runs that are fitted together, 0.25 v, 60 rings; of packings: noise that lasts, over that of a frame");
   scene.noise = 0.25;
   scene.ground = 0;
+  head("Other memory from 15 mm behind the wheel on, 8 mm");
+  unlike(scene);
+  head("Runs that are fitted together, 60 rings; of packings: noise that lasts, over that of a frame");
   several_runs(scene);
 }
 

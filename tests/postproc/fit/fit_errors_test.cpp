@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "fit/fit_trials.h"
 #include "fit/student_t.h"
@@ -100,19 +101,22 @@ TEST(FitErrors, OfRingsAreUpperBounds) {
 
 struct Scene {
   int rings;
-  double length, rho;
+  double length, rho, rho_behind;
 };
 
-constexpr Scene scenes[] = {{20, 0, 0}, {60, 0.004, 0.5}, {20, 0.008, 0.7}, {60, 0.015, 0}, {60, 0.015, 0.5}};
+const std::vector<Scene> scenes = {
+    {20, 0, 0, -1}, {60, 0.004, 0.5, -1}, {20, 0.008, 0.7, -1}, {60, 0.015, 0, -1}, {60, 0.015, 0.5, -1}};
+// Behind the zone rings have no memory, or less.
+const std::vector<Scene> slow_zones = {{20, 0.008, 0.7, 0}, {60, 0.008, 0.7, 0}, {60, 0.008, 0.7, 0.3}};
 
-FitCoverage mean_coverage(const MakeFitErrors& errors, int count) {
+FitCoverage mean_coverage(const std::vector<Scene>& scenes, const MakeFitErrors& errors, int count) {
   FitCoverage mean{0, {0, 0}, {0, 0}, {0, 0}};
   for (const Scene& scene : scenes) {
     const FitCoverage one =
-        coverage({scene.rings, scene.length, scene.rho, 100, 1, 0.25, 0, 0, count}, errors);
-    mean.given += one.given / std::size(scenes);
-    mean.one_sigma += one.one_sigma / std::size(scenes);
-    mean.two_sided += one.two_sided / std::size(scenes);
+        coverage({scene.rings, scene.length, scene.rho, scene.rho_behind, 100, 1, 0.25, 0, 0, count}, errors);
+    mean.given += one.given / static_cast<double>(scenes.size());
+    mean.one_sigma += one.one_sigma / static_cast<double>(scenes.size());
+    mean.two_sided += one.two_sided / static_cast<double>(scenes.size());
   }
   return mean;
 }
@@ -123,29 +127,41 @@ void record(const FitCoverage& covered) {
                              covered.two_sided[0], covered.two_sided[1]));
 }
 
-// As promised: 68.3 +- 4 % and 95 +- 2 %, of which 2000 profiles scatter by 1 and 0.5 %.
+// 68.3 and 95 %, and 3 and 1 % more since the larger of two 2 tau counts; 2000 profiles scatter by 1 and 0.5
+// %.
 TEST(FitCoverageOf, BlocksIsWhatTheySay) {
-  const FitCoverage covered = mean_coverage(fit_errors_of_blocks, 400);
+  const FitCoverage covered = mean_coverage(scenes, fit_errors_of_blocks, 400);
   record(covered);
   EXPECT_GT(covered.given, 0.95);
   for (const int k : {0, 1}) {
-    EXPECT_NEAR(covered.one_sigma[k], 0.683, 0.04);
+    EXPECT_NEAR(covered.one_sigma[k], 0.725, 0.04);
+    EXPECT_NEAR(covered.two_sided[k], 0.96, 0.02);
+  }
+}
+
+// Rings far from the wheel say nothing about how slowly v0 and s change: 60 and 90 % if they are asked.
+TEST(FitCoverageOf, BlocksIsThatOfTheRingsThatMatter) {
+  const FitCoverage covered = mean_coverage(slow_zones, fit_errors_of_blocks, 400);
+  record(covered);
+  EXPECT_GT(covered.given, 0.85);
+  for (const int k : {0, 1}) {
+    EXPECT_NEAR(covered.one_sigma[k], 0.7, 0.04);
     EXPECT_NEAR(covered.two_sided[k], 0.95, 0.02);
   }
 }
 
 // Not less than 95 % less three standard errors; the scatter about the line alone has a third of that.
 TEST(FitCoverageOf, RingsIsNotLessThanTheySay) {
-  const FitCoverage covered = mean_coverage(fit_errors_of_rings, 400);
+  const FitCoverage covered = mean_coverage(scenes, fit_errors_of_rings, 400);
   record(covered);
   EXPECT_GT(covered.two_sided.minCoeff(), 0.95 - 0.015);
-  EXPECT_LT(mean_coverage(fit_errors_of_scatter, 100).two_sided.maxCoeff(), 0.5);
+  EXPECT_LT(mean_coverage(scenes, fit_errors_of_scatter, 100).two_sided.maxCoeff(), 0.5);
 }
 
 // Packings that last as long as the run: eight runs know it. One number for both shares covers 70.9 % where
 // there are 7 degrees of freedom; 800 trials scatter by 1.6 and 0.8 %: three times that.
 TEST(FitCoverageOf, EightRunsCountsWhatDiffersFromRunToRun) {
-  const FitCoverage covered = coverage({20, 0.008, 0.5, 32, 8, 0.25, 0, 0.3, 800}, fit_errors_of_blocks);
+  const FitCoverage covered = coverage({20, 0.008, 0.5, -1, 32, 8, 0.25, 0, 0.3, 800}, fit_errors_of_blocks);
   record(covered);
   for (const int k : {0, 1}) {
     EXPECT_NEAR(covered.one_sigma[k], 0.709, 0.048);

@@ -31,15 +31,17 @@ TimeAverage average_of(const ProfileTrials& trials, const Eigen::ArrayXd& r, std
   const double along = trials.length > 0 ? std::exp(-(r[1] - r[0]) / trials.length) : 0;
   RingNoise noise(trials.rings, along);
   const Eigen::ArrayXd profile = v0 * (-(r - r_i) / s).exp(), ground = 0 * r + trials.ground * v0;
-  const double fresh = std::sqrt(1 - trials.rho * trials.rho);
+  const double behind = trials.rho_behind < 0 ? trials.rho : trials.rho_behind;
+  const Eigen::ArrayXd rho = (r < r_i + 0.015).select(0 * r + trials.rho, behind),
+                       fresh = (1 - rho.square()).sqrt();
   TimeAverage average;
   for (int run = 0; run < trials.runs; ++run) {
     const Eigen::ArrayXd stays = 1 + trials.packing * trials.noise * noise(random);
     Eigen::ArrayXd x = noise(random), other = noise(random);
     for (int frame = 0; frame < trials.frames; ++frame) {
       average.add(profile * (stays + trials.noise * x) + ground * other, run);
-      x = trials.rho * x + fresh * noise(random);
-      other = trials.rho * other + fresh * noise(random);
+      x = rho * x + fresh * noise(random);
+      other = rho * other + fresh * noise(random);
     }
   }
   return average;

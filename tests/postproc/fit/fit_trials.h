@@ -12,8 +12,9 @@ namespace mikromakro {
 /// and x' of variance 1, AR(1) in time, exp(-dr/length) from ring to ring.
 struct ProfileTrials {
   int rings = 60;
-  double length = 0;  ///< m
-  double rho = 0;     ///< from frame to frame
+  double length = 0;       ///< m
+  double rho = 0;          ///< from frame to frame
+  double rho_behind = -1;  ///< the same from 15 mm behind R_i on; below 0: as before it
   int frames = 100, runs = 1;
   double noise = 0.25, ground = 0;
   double packing = 0;  ///< noise that stays the same in all frames of a run, over `noise`
