@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace mikromakro {
 namespace {
 
@@ -18,6 +20,10 @@ void put(const Rows& solved, const Eigen::Array3d& own, Eigen::Index block, Rows
 double of_block(const CsvTable& blocks, const Eigen::ArrayXd& column, Eigen::Index block,
                 Eigen::Index volumes) {
   const auto part = column.segment(block * volumes, volumes);
+  constexpr double most = 1e15;  // whole numbers are exact up to there
+  if (!(part[0] >= 0 && part[0] <= most && part[0] == std::floor(part[0])))
+    throw bad_input(blocks.row_place(block * volumes), "no number of a block, a run or frames",
+                    "a whole number", fmt::format("{}", part[0]));
   for (Eigen::Index i = 1; i < volumes; ++i) {
     if (part[i] != part[0])
       throw bad_input(blocks.row_place(block * volumes + i), "a block of other volumes than the table",
