@@ -59,9 +59,10 @@ Task task_of(const CommandOptions& options, const Ranks& ranks) {
   take_stiffness(files, volumes.bulk_types, task.options.fields);
   compare_friction(files, task.options.fields.numbers.friction_coefficient);
   task.averager = make_averager(task.options);
-  check_memory({static_cast<double>(task.averager->volume_count() * task.averager->sum_count()),
-                threads_of(options.run, ranks), static_cast<double>(task.options.error_blocks)},
-               volume_option(volumes));
+  check_memory(
+      {static_cast<double>(task.averager->volume_count() * task.averager->sum_count()),
+       threads_of(options.run, ranks), static_cast<double>(error_blocks(task.options, *task.averager))},
+      volume_option(volumes));
   task.source = source_of(options.input, *task.averager);
   task.source.notes = files.notes;
   if (ranks.first()) task.outputs = std::make_unique<TableOutputs>(task.options.out, files.files());
@@ -81,7 +82,7 @@ void average(const CommandOptions& options, const Ranks& ranks) {
   ranks.agree([&] { task = task_of(options, ranks); });
   const SumFrame sum = [&](const Frame& frame) { return task.averager->frame_sums(frame); };
   const Averaged averaged = average_frames(task.source, task.options.volumes, sum,
-                                           TimeAverage(task.options.error_blocks), options.run, ranks);
+                                           no_sums(task.options, *task.averager), options.run, ranks);
   ranks.agree([&] {
     if (ranks.first()) write(options, task, averaged);
   });
