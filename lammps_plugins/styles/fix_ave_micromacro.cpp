@@ -99,7 +99,7 @@ FixAveMicromacro::FixAveMicromacro(LAMMPS_NS::LAMMPS* engine, int narg, char** a
   windows_ = windows > 0;
   if (windows_ && windows < std::ssize(options_.out))
     arguments.fail("file: expected a * in all names or in none, got both");
-  averaged_.sums = TimeAverage(options_.error_blocks);
+  averaged_.sums = no_sums(options_, *averager_);
   // Found out before a long run starts.
   on_first_rank(*lmp, style, [this] { const TableOutputs can_be_written(names_at(options_.out, 0)); });
 }
@@ -155,7 +155,7 @@ void FixAveMicromacro::warn_of_stiffness() const {
 }
 
 void FixAveMicromacro::count_steps_anew(LAMMPS_NS::bigint /*shift*/) {
-  averaged_ = {TimeAverage(options_.error_blocks), {}};
+  averaged_ = {no_sums(options_, *averager_), {}};
 }
 
 void FixAveMicromacro::end_of_step() {
@@ -174,7 +174,7 @@ void FixAveMicromacro::write() {
       {"program", "mikromakro " MIKROMAKRO_VERSION " fix ave/micromacro"},
       {"run", std::string("group ") + group->names[igroup] + ", every " + std::to_string(nevery) + " steps"}};
   write_averages(options_, *averager_, averaged_, lines, outputs);
-  if (windows_) averaged_ = {TimeAverage(options_.error_blocks), {}};
+  if (windows_) averaged_ = {no_sums(options_, *averager_), {}};
 }
 
 }  // namespace mikromakro::styles

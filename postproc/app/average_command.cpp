@@ -82,7 +82,8 @@ Task task_of(const CommandOptions& options, const Ranks& ranks) {
   // A table of the blocks has as many numbers again, as such and as text.
   const double copies = options.blocks.empty() ? 1 : 5;
   check_memory({static_cast<double>(task.averager->volume_count() * task.averager->sum_count()),
-                threads_of(options.run, ranks), copies * static_cast<double>(task.options.error_blocks)},
+                threads_of(options.run, ranks),
+                copies * static_cast<double>(error_blocks(task.options, *task.averager))},
                volume_option(volumes));
   task.source = source_of(options.input, *task.averager);
   task.source.notes = files.notes;
@@ -106,7 +107,7 @@ void average(const CommandOptions& options, const Ranks& ranks) {
   ranks.agree([&] { task = task_of(options, ranks); });
   const SumFrame sum = [&](const Frame& frame) { return task.averager->frame_sums(frame); };
   const Averaged averaged = average_frames(task.source, task.options.volumes, sum,
-                                           TimeAverage(task.options.error_blocks), options.run, ranks);
+                                           no_sums(task.options, *task.averager), options.run, ranks);
   ranks.agree([&] {
     if (ranks.first()) write(options, task, averaged);
   });

@@ -6,75 +6,78 @@
 namespace mikromakro {
 namespace {
 
+using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Of each block.
-std::vector<Rows> pseudo_values(const std::vector<Rows>& blocks, const Solver& solve) {
+struct PseudoValues {
+  std::vector<Rows> deviations;  // of each block, from the whole
+  Rows variance;
+  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> fluctuate;  // beyond rounding
+};
+
+PseudoValues pseudo_values(const std::vector<Rows>& blocks, const Solver& solve) {
   const auto count = static_cast<double>(blocks.size());
   Rows total = blocks.front();
   for (std::size_t i = 1; i < blocks.size(); ++i) total += blocks[i];
   const Rows whole = solve(total / count);
-  std::vector<Rows> values;
-  values.reserve(blocks.size());
-  for (const Rows& block : blocks)
-    values.push_back(count * whole - (count - 1) * solve((total - block) / (count - 1)));
+  PseudoValues values;
+  values.deviations.reserve(blocks.size());
+  Rows mean = Rows::Zero(whole.rows(), whole.cols()), squares = mean;
+  for (const Rows& block : blocks) {
+    values.deviations.emplace_back((count - 1) * (whole - solve((total - block) / (count - 1))));
+    mean += values.deviations.back() / count;
+    squares += values.deviations.back().square() / count;
+  }
+  values.variance = squares - mean.square();
+  const double rounding = 2e-15 * count;
+  // Not true for nan either.
+  values.fluctuate = values.variance.sqrt() > rounding * (whole + mean).abs();
   return values;
 }
 
-// Where a series stands among the results.
-struct Place {
-  Eigen::Index row, column;
-};
+// Where series that fluctuate stand among all results, one volume after the other.
+std::vector<Eigen::Index> places_of(const PseudoValues& values, Eigen::Index begin, Eigen::Index columns) {
+  std::vector<Eigen::Index> places;
+  for (Eigen::Index row = 0; row < values.fluctuate.rows(); ++row) {
+    for (Eigen::Index column = begin; column < begin + columns; ++column) {
+      if (values.fluctuate(row, column)) places.push_back(row * values.fluctuate.cols() + column);
+    }
+  }
+  return places;
+}
 
-struct FieldSeries {
-  std::vector<Place> places;
-  Eigen::ArrayXXd values;  // a row for each block, a column for each place
-};
-
-Eigen::ArrayXd series_at(const std::vector<Rows>& values, Place place) {
-  Eigen::ArrayXd series(static_cast<Eigen::Index>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-    series[static_cast<Eigen::Index>(i)] = values[i](place.row, place.column);
+// A row for each block, a column for each place.
+Rows series_at(const std::vector<Eigen::Index>& places, const std::vector<Rows>& blocks) {
+  Rows series(static_cast<Eigen::Index>(blocks.size()), static_cast<Eigen::Index>(places.size()));
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    series.row(static_cast<Eigen::Index>(i)) =
+        Eigen::Map<const Row>(blocks[i].data(), blocks[i].size())(places);
   return series;
 }
 
-double variance(const Eigen::ArrayXd& series) {
-  return (series - series.mean()).square().mean();
-}
-
-// Beyond rounding; not true for nan either.
-bool fluctuates(const Eigen::ArrayXd& series) {
-  constexpr double rounding = 1e-13;
-  return std::sqrt(variance(series)) > rounding * std::abs(series.mean());
-}
-
-FieldSeries fluctuating_series(const std::vector<Rows>& values, Eigen::Index begin, Eigen::Index columns) {
-  FieldSeries found;
-  for (Eigen::Index row = 0; row < values.front().rows(); ++row) {
-    for (Eigen::Index column = begin; column < begin + columns; ++column) {
-      if (fluctuates(series_at(values, {row, column}))) found.places.push_back({row, column});
-    }
-  }
-  const auto count = static_cast<Eigen::Index>(found.places.size());
-  found.values.resize(static_cast<Eigen::Index>(values.size()), count);
-  for (Eigen::Index i = 0; i < count; ++i)
-    found.values.col(i) = series_at(values, found.places[static_cast<std::size_t>(i)]);
-  return found;
-}
-
-void fill(const FieldSeries& series, const FieldErrors& field, std::int64_t block_length,
+void fill(const std::vector<Eigen::Index>& places, const PseudoValues& values, const FieldErrors& field,
           BlockErrors& errors) {
-  const auto count = static_cast<double>(series.values.rows());
-  for (std::size_t i = 0; i < series.places.size(); ++i) {
-    const auto [row, column] = series.places[i];
-    const auto index = static_cast<Eigen::Index>(i);
-    const double time = field.correlation.of_series[index];
+  const auto count = static_cast<double>(values.deviations.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double time = field.correlation.of_series[static_cast<Eigen::Index>(i)];
     // A series of its own time may be all one correlation.
     if (!(time < count)) continue;
-    errors.error(row, column) =
-        field.decision.widening * std::sqrt(variance(series.values.col(index)) * time / (count - time));
-    errors.correlation_time(row, column) = time * static_cast<double>(block_length);
+    const double variance = values.variance.data()[places[i]];
+    errors.error.data()[places[i]] = field.decision.widening * std::sqrt(variance * time / (count - time));
+    errors.correlation_time.data()[places[i]] = time;
   }
+}
+
+FieldErrors errors_of(const ColumnsOfField& field, Eigen::Index begin, const PseudoValues& values,
+                      const std::vector<std::int64_t>& runs, BlockErrors& errors) {
+  FieldErrors made{field, 0, {}, {}};
+  const std::vector<Eigen::Index> places = places_of(values, begin, field.count);
+  if (places.empty()) return made;
+  made.series = static_cast<Eigen::Index>(places.size());
+  made.correlation = correlation_time(series_at(places, values.deviations), runs);
+  made.decision = decide(made.correlation, static_cast<double>(values.deviations.size()));
+  if (made.decision.given) fill(places, values, made, errors);
+  return made;
 }
 
 }  // namespace
@@ -88,21 +91,17 @@ BlockErrors block_errors(const TimeAverage& average, const Solver& solve,
   errors.error = Rows::Constant(values.rows(), values.cols(), nan);
   errors.correlation_time = errors.error;
   constexpr std::size_t fewest_blocks = 8;
-  const auto jackknife = blocks.size() < fewest_blocks ? std::vector<Rows>{} : pseudo_values(blocks, solve);
+  const bool enough = blocks.size() >= fewest_blocks;
+  const PseudoValues jackknife = enough ? pseudo_values(blocks, solve) : PseudoValues{};
+  const auto length = static_cast<double>(average.block_length());
   Eigen::Index begin = 0;
   for (const ColumnsOfField& field : fields) {
-    errors.fields.push_back({field, 0, {}, {}});
-    if (jackknife.empty()) continue;
-    const FieldSeries series = fluctuating_series(jackknife, begin, field.count);
+    errors.fields.push_back(enough ? errors_of(field, begin, jackknife, average.runs(), errors)
+                                   : FieldErrors{field, 0, {}, {}});
+    errors.fields.back().correlation.time *= length;
     begin += field.count;
-    if (series.places.empty()) continue;
-    FieldErrors& made = errors.fields.back();
-    made.series = series.values.cols();
-    made.correlation = correlation_time(series.values, average.runs());
-    made.decision = decide(made.correlation, static_cast<double>(blocks.size()));
-    if (made.decision.given) fill(series, made, average.block_length(), errors);
-    made.correlation.time *= static_cast<double>(average.block_length());
   }
+  errors.correlation_time *= length;
   return errors;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "averaging/lagged_products.h"
 
@@ -10,7 +11,7 @@ namespace mikromakro {
 namespace {
 
 constexpr double window_over_time = 1.5;
-constexpr double significant = 2;  // standard errors
+constexpr double significant = 1.5;  // standard errors
 
 // What products up to a lag tell.
 struct Window {
@@ -21,13 +22,6 @@ struct Window {
 
   Eigen::Index lags() const { return rho.size() - 1; }
 };
-
-// A row for each lag, a column for each series.
-Eigen::ArrayXXd covariances(const Eigen::ArrayXXd& products, const Eigen::ArrayXd& share) {
-  const Eigen::Array<double, 1, Eigen::Dynamic> variance_of_mean =
-      (share.matrix().transpose() * products.matrix()).array() / (1 - share.sum());
-  return products.rowwise() + variance_of_mean;
-}
 
 // H_k/n^2.
 Eigen::ArrayXd shares(const LaggedProducts& products, Eigen::Index lags) {
@@ -42,8 +36,8 @@ Window window(LaggedProducts& products, Eigen::Index lags) {
   for (Eigen::Index lag = 0; lag <= lags; ++lag) mean[lag] = products.mean(lag);
   const Eigen::ArrayXd share = shares(products, lags);
   Window result;
-  const Eigen::ArrayXXd covariance = covariances(mean, share);
-  result.rho = covariance.col(0) / covariance(0, 0);
+  const double variance_of_mean = (share * mean).sum() / (1 - share.sum());
+  result.rho = (mean + variance_of_mean) / (1 + variance_of_mean);
   const double time = count * (share * result.rho).sum();
   result.squares = 2 * result.rho.square().sum() - 1;
   result.low = std::clamp(2 * (time - result.squares) / count, -0.5, 0.5);
@@ -69,54 +63,67 @@ std::optional<Window> closed_window(LaggedProducts& products) {
   return {};
 }
 
-// Relative variance of 2 tau of one series.
+// Relative variance of 2 tau of one series; h_j is even in j.
 double variance_of_one(const Window& window, double count) {
   const Eigen::Index lags = window.lags();
   const auto rho = [&](Eigen::Index lag) { return std::abs(lag) > lags ? 0 : window.rho[std::abs(lag)]; };
   const double time = 2 * window.rho.sum() - 1;
+  double near = time;  // the sum of rho_(j-k)
   double sum = 0;
-  for (Eigen::Index j = -2 * lags; j <= 2 * lags; ++j) {
-    double h = -time * rho(j);
-    for (Eigen::Index k = -lags; k <= lags; ++k) h += rho(j - k);
-    sum += h * h;
+  for (Eigen::Index j = 0; j <= 2 * lags; ++j) {
+    const double h = near - time * rho(j);
+    sum += (j == 0 ? 1 : 2) * h * h;
+    near -= rho(j - lags);
   }
   return 2 * sum / (count * std::pow(std::max(time, 1.0), 2));
 }
 
-Eigen::ArrayXd own_times(LaggedProducts& products, const Window& window) {
-  Eigen::ArrayXXd own(window.lags() + 1, products.series());
-  for (Eigen::Index lag = 0; lag <= window.lags(); ++lag) own.row(lag) = products.of_series(lag).transpose();
-  const Eigen::ArrayXd share = shares(products, window.lags());
-  const Eigen::ArrayXXd covariance = covariances(own, share);
-  const Eigen::ArrayXd sum = (share.matrix().transpose() * covariance.matrix()).transpose().array();
-  return products.count() * sum / (1 - window.low) / covariance.row(0).transpose();
+// With V the variance of the mean of a series, n V/(1 + V).
+Eigen::ArrayXd own_times(const LaggedProducts& products, const Window& window) {
+  const double share = shares(products, window.lags()).sum();
+  const Eigen::ArrayXd variance_of_mean = products.sums_of_series(window.lags()) / (1 - share);
+  return products.count() / (1 - window.low) * variance_of_mean / (1 + variance_of_mean);
 }
 
-// Variance between series beyond that of their own values; both relative.
-double variance_between(const Eigen::ArrayXd& relative, double of_one, double independent) {
-  constexpr double fewest = 0.5;
-  const double variance = (relative - relative.mean()).square().mean() * independent;
-  return std::max(0.0, (variance / std::max(independent - 1, fewest) - of_one) / (1 + of_one));
+// How own values differ from series to series, relative.
+struct Scatter {
+  double variance = 0;  // beyond that of the values themselves
+  bool by_chance = true;
+};
+
+Scatter scatter_of(const Eigen::ArrayXd& relative, double of_one, double independent) {
+  constexpr double fewest = 0.5, beyond_chance = 3;  // standard errors
+  const double others = std::max(independent - 1, fewest);
+  const double variance = (relative - relative.mean()).square().mean() * independent / others;
+  const double excess = std::max(0.0, variance - of_one);
+  return {excess / (1 + of_one), excess <= beyond_chance * of_one * std::sqrt(2 / others)};
+}
+
+// What a normal series has by chance is not more than is taken off.
+double square_skewness(const LaggedProducts& products, double squares) {
+  return std::max(0.0, products.square_skewness() - 6 * squares / products.count());
 }
 
 }  // namespace
 
-CorrelationTime correlation_time(const Eigen::ArrayXXd& series, const std::vector<std::int64_t>& runs) {
-  LaggedProducts products(series, runs);
+CorrelationTime correlation_time(Rows series, const std::vector<std::int64_t>& runs) {
+  LaggedProducts products(std::move(series), runs);
   CorrelationTime result;
   const std::optional<Window> window = closed_window(products);
   if (!window) return result;
   result.most = products.longest_run();
   result.time = std::max(window->time, 1.0);
   result.squares = window->squares;
+  result.square_skewness = square_skewness(products, result.squares);
   result.independent_series = products.independent_series(result.squares);
   const double of_one = variance_of_one(*window, products.count());
   const double of_all = of_one / result.independent_series;
   const Eigen::ArrayXd relative = own_times(products, *window) / result.time;
-  const double between = variance_between(relative, of_one, result.independent_series);
-  const double kept = between > 0 ? between / (between + of_one) : 0;
+  const Scatter scatter = scatter_of(relative, of_one, result.independent_series);
+  const double kept = scatter.variance > 0 ? scatter.variance / (scatter.variance + of_one) : 0;
   result.uncertainty = std::sqrt(of_all);
-  result.scatter = std::sqrt(between);
+  result.scatter = std::sqrt(scatter.variance);
+  if (!scatter.by_chance) result.unknown_scatter = (1 - kept) * result.scatter;
   result.of_series = (result.time * (1 + kept * (relative - 1))).max(1);
   result.uncertainty_of_series = std::sqrt(kept * of_one + (1 - kept) * (1 - kept) * of_all);
   return result;

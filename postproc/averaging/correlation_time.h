@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "io/table.h"
+
 namespace mikromakro {
 
 /// 2 tau = 1 + 2 sum_k rho_k, rho_k the autocorrelation at the lag k: the variance of the mean of n values is
@@ -14,7 +16,9 @@ struct CorrelationTime {
   double time = std::numeric_limits<double>::quiet_NaN();  ///< 2 tau of all series; nan: not to be told
   double uncertainty = 0;                                  ///< its standard error
   double scatter = 0;                                      ///< by which 2 tau differs from series to series
-  double squares = 1;                                      ///< sum rho_k^2 over all k, also negative ones
+  double unknown_scatter = 0;     ///< part of it that of_series does not show, where it is more than chance
+  double squares = 1;             ///< sum rho_k^2 over all k, also negative ones
+  double square_skewness = 0;     ///< mean over the series, less what normal ones have by chance
   double independent_series = 1;  ///< as many independent series would know 2 tau as well
   Eigen::ArrayXd of_series;       ///< 2 tau of each
   double uncertainty_of_series = 0;
@@ -34,13 +38,13 @@ struct CorrelationTime {
 /// is divided by that.
 ///
 /// Sums end at the first lag of 1.5 times 2 tau, or later, for as long as the next as many lags add more than
-/// two standard errors. nan where that is beyond a quarter of the series.
+/// 1.5 standard errors. nan where that is beyond a quarter of the series.
 ///
 /// One series knows 2 tau to (2/n) sum_j h_j^2/(2 tau)^2, relative variance, h_j = sum_{|k| <= W} rho_(j-k) -
 /// 2 tau rho_j (Bartlett). All of them know it as `independent_series` do, from the mean square of the
 /// correlations between series. Where their own values scatter by more than that, each keeps of its own value
 /// what the scatter is worth beside the uncertainty (empirical Bayes as in Smyth, Stat. Appl. Genet. Mol.
-/// Biol. 3, 3 (2004)). 2 tau is never below 1.
-CorrelationTime correlation_time(const Eigen::ArrayXXd& series, const std::vector<std::int64_t>& runs);
+/// Biol. 3, 3 (2004)); the rest of the scatter is not told. 2 tau is never below 1.
+CorrelationTime correlation_time(Rows series, const std::vector<std::int64_t>& runs);
 
 }  // namespace mikromakro

@@ -2,32 +2,55 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mikromakro {
 namespace {
 
-Eigen::ArrayXXd standardised(const Eigen::ArrayXXd& series) {
-  Eigen::ArrayXXd deviation = series.rowwise() - series.colwise().mean();
-  for (auto column : deviation.colwise()) column /= std::sqrt(column.square().mean());
-  return deviation;
+using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
+
+// Of so many series at a time, which the cache holds: the first one and how many.
+template <typename Do>
+void in_bundles(Eigen::Index count, Do work) {
+  constexpr Eigen::Index bundle = 256;
+  for (Eigen::Index first = 0; first < count; first += bundle) work(first, std::min(bundle, count - first));
 }
 
-// Mean of r^2 of two different series, of some that stand evenly among all.
-double mean_square_correlation(const Eigen::ArrayXXd& deviation) {
-  constexpr Eigen::Index most = 200;
-  const Eigen::Index count = std::min(most, deviation.cols());
+Rows standardised(Rows series) {
+  in_bundles(series.cols(), [&](Eigen::Index first, Eigen::Index count) {
+    auto some = series.middleCols(first, count);
+    const Row mean = some.colwise().mean();
+    some.rowwise() -= mean;
+    const Row inverse = some.square().colwise().mean().rsqrt();
+    some.rowwise() *= inverse;
+  });
+  return series;
+}
+
+Eigen::MatrixXd some_of(const Rows& series) {
+  constexpr Eigen::Index most = 1000;
+  const Eigen::Index count = std::min(most, series.cols());
+  Eigen::MatrixXd some(count, series.rows());
+  for (Eigen::Index i = 0; i < count; ++i) some.row(i) = series.col(i * series.cols() / count);
+  return some;
+}
+
+// The sum of the squared correlations of all pairs of series is that of the squared products of all pairs of
+// times.
+double mean_square_correlation(const Eigen::MatrixXd& series) {
+  const auto count = static_cast<double>(series.rows());
   if (count < 2) return 0;
-  Eigen::MatrixXd some(deviation.rows(), count);
-  for (Eigen::Index i = 0; i < count; ++i) some.col(i) = deviation.col(i * deviation.cols() / count);
-  const Eigen::MatrixXd correlation = some.transpose() * some / static_cast<double>(deviation.rows());
-  const auto pairs = static_cast<double>(count * (count - 1));
-  return (correlation.squaredNorm() - static_cast<double>(count)) / pairs;
+  const double products = series.rows() < series.cols() ? (series * series.transpose()).squaredNorm()
+                                                        : (series.transpose() * series).squaredNorm();
+  return (products / std::pow(static_cast<double>(series.cols()), 2) - count) / (count * (count - 1));
 }
 
 }  // namespace
 
-LaggedProducts::LaggedProducts(const Eigen::ArrayXXd& series, const std::vector<std::int64_t>& runs)
-    : deviation_(standardised(series)), square_correlation_(mean_square_correlation(deviation_)) {
+LaggedProducts::LaggedProducts(Rows series, const std::vector<std::int64_t>& runs)
+    : deviation_(standardised(std::move(series))),
+      some_(some_of(deviation_)),
+      square_correlation_(mean_square_correlation(some_)) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (i == 0 || runs[i] != runs[i - 1]) run_lengths_.push_back(0);
     longest_run_ = std::max(longest_run_, ++run_lengths_.back());
@@ -41,35 +64,51 @@ double LaggedProducts::pairs(Eigen::Index lag) const {
   return static_cast<double>(pairs);
 }
 
-const Eigen::ArrayXd& LaggedProducts::of_series(Eigen::Index lag) {
-  while (static_cast<Eigen::Index>(of_series_.size()) <= lag) {
-    const auto next = static_cast<Eigen::Index>(of_series_.size());
-    Eigen::ArrayXd sums = Eigen::ArrayXd::Zero(series());
-    Eigen::Index begin = 0;
-    for (const Eigen::Index length : run_lengths_) {
-      if (const Eigen::Index pairs = length - next; pairs > 0)
-        sums += (deviation_.middleRows(begin, pairs) * deviation_.middleRows(begin + next, pairs))
-                    .colwise()
-                    .sum()
-                    .transpose();
-      begin += length;
-    }
-    of_series_.emplace_back(sums / pairs(next));
-    mean_.push_back(of_series_.back().mean());
+double LaggedProducts::sum(Eigen::Index lag) const {
+  double sum = 0;
+  Eigen::Index begin = 0;
+  for (const Eigen::Index length : run_lengths_) {
+    if (const Eigen::Index pairs = length - lag; pairs > 0)
+      sum += some_.middleCols(begin, pairs).cwiseProduct(some_.middleCols(begin + lag, pairs)).sum();
+    begin += length;
   }
-  return of_series_[static_cast<std::size_t>(lag)];
+  return sum;
 }
 
 double LaggedProducts::mean(Eigen::Index lag) {
-  of_series(lag);
+  while (static_cast<Eigen::Index>(mean_.size()) <= lag) {
+    const auto next = static_cast<Eigen::Index>(mean_.size());
+    mean_.push_back(sum(next) / pairs(next) / static_cast<double>(some_.rows()));
+  }
   return mean_[static_cast<std::size_t>(lag)];
+}
+
+Eigen::ArrayXd LaggedProducts::sums_of_series(Eigen::Index lag) const {
+  Eigen::ArrayXd sums(deviation_.cols());
+  in_bundles(sums.size(), [&](Eigen::Index first, Eigen::Index count) {
+    Row sum = Row::Zero(count);
+    Eigen::Index begin = 0;
+    for (const Eigen::Index length : run_lengths_) {
+      const auto run = deviation_.block(begin, first, length, count);
+      Row near = run.topRows(std::min(lag, length)).colwise().sum();
+      for (Eigen::Index i = 0; i < length; ++i) {
+        if (i + lag < length) near += run.row(i + lag);
+        if (i > lag) near -= run.row(i - lag - 1);
+        sum += near * run.row(i);
+      }
+      begin += length;
+    }
+    sums.segment(first, count) = sum.transpose();
+  });
+  return sums / (this->count() * this->count());
 }
 
 double LaggedProducts::independent_series(double squares) const {
   constexpr double most = 0.9;  // of short series
+  const auto series = static_cast<double>(some_.rows());
   const double by_chance = std::min(squares / count(), most);
   const double beyond = std::max(0.0, (square_correlation_ - by_chance) / (1 - by_chance));
-  return static_cast<double>(series()) / (1 + static_cast<double>(series() - 1) * beyond);
+  return series / (1 + (series - 1) * beyond);
 }
 
 }  // namespace mikromakro

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "averaging/block_errors.h"
+#include "averaging/error_decision.h"
 #include "fit/student_t.h"
 #include "io/error.h"
 
@@ -29,18 +29,25 @@ Eigen::ArrayXXd pseudo_values(const ExponentialProfile& fitted, const ColumnWith
   return (-(m - 1) * without).rowwise() + (m * without.colwise().mean());
 }
 
-// v0, s, and the rings of which they are told: those that do a tenth or more of what the ring does that does
-// most to one of them.
-Eigen::ArrayXXd series_of_zone(const Eigen::ArrayXXd& series, const ExponentialProfile& fitted) {
+Eigen::ArrayXd variances(const Eigen::ArrayXXd& series) {
+  return (series.rowwise() - series.colwise().mean()).square().colwise().mean();
+}
+
+// v0, s, and the rings that fluctuate beyond rounding. Of those, where `zone`, the ones of which v0 and s are
+// told: that do a tenth or more of what the ring does that does most to one of them.
+Eigen::ArrayXXd fluctuating(const Eigen::ArrayXXd& series, const ExponentialProfile& fitted, bool zone) {
   constexpr double least_part = 0.1;
   const Eigen::Index rings = series.cols() - 2;
-  const Eigen::ArrayXXd deviation = series.rowwise() - series.colwise().mean();
-  const Eigen::ArrayXd variance = deviation.rightCols(rings).square().colwise().mean();
+  const Eigen::ArrayXd variance = variances(series).tail(rings),
+                       rounding = 2e-15 * static_cast<double>(series.rows()) *
+                                  series.rightCols(rings).colwise().mean().abs().transpose();
   const Eigen::ArrayXXd parts = fitted.change.array().square().rowwise() * variance.transpose();
   const Eigen::Array2d most = parts.rowwise().maxCoeff();
   std::vector<Eigen::Index> chosen = {0, 1};
-  for (Eigen::Index i = 0; i < rings; ++i)
-    if ((parts.col(i) >= least_part * most).any()) chosen.push_back(2 + i);
+  for (Eigen::Index i = 0; i < rings; ++i) {
+    const bool told = !zone || (parts.col(i) >= least_part * most).any();
+    if (told && std::sqrt(variance[i]) > rounding[i]) chosen.push_back(2 + i);
+  }
   return series(Eigen::all, chosen);
 }
 
@@ -73,57 +80,39 @@ FitErrors errors_of_runs(const Eigen::ArrayXXd& series, const Eigen::ArrayXd& sh
   return errors;
 }
 
-// Each block is a frame of an average that keeps all of them, of one volume.
-BlockErrors errors_of_field(const Eigen::ArrayXXd& series, const std::vector<std::int64_t>& runs) {
-  TimeAverage average(static_cast<std::size_t>(series.rows()));
-  for (Eigen::Index i = 0; i < series.rows(); ++i)
-    average.add(series.row(i), runs[static_cast<std::size_t>(i)]);
-  return block_errors(average, [](const Rows& values) { return values; }, {{"fit", series.cols()}});
-}
-
-std::string too_few(const ErrorDecision& decision) {
-  if (decision.samples < decision.needed)
-    return fmt::format(", {:.3g} effective samples of the {:.3g} that are needed", decision.samples,
-                       std::ceil(decision.needed));
-  return ", v0 and s change too slowly for the run to know how much";
-}
-
-// Of v0 and of s; the errors are not finite where 2 tau is as long as the run, or not to be told.
-struct Slowest {
-  Eigen::Array2d time, error;
-};
-
-Slowest slower_of(const BlockErrors& all, double of_zone, double count) {
-  const Eigen::Array2d own = all.correlation_time.leftCols(2).transpose();
-  const Eigen::Array2d time = own.max(std::isnan(of_zone) ? count : of_zone);
-  const Eigen::Array2d longer = time / (count - time) * (count - own) / own;
-  return {time, all.error.leftCols(2).transpose() * longer.sqrt()};
-}
-
-FitErrors errors_of_series(const Eigen::ArrayXXd& series, const Eigen::ArrayXXd& zone,
-                           const ColumnWithoutBlocks& blocks) {
-  const BlockErrors all = errors_of_field(series, blocks.runs);
-  const CorrelationTime& time = all.fields.front().correlation;
-  const ErrorDecision& decision = all.fields.front().decision;
+// Of v0 and of s.
+Eigen::Array2d errors_with(const Eigen::ArrayXXd& series, const Eigen::Array2d& time, double widening) {
   const auto count = static_cast<double>(series.rows());
+  return widening * (variances(series.leftCols(2)).array() * time / (count - time)).sqrt();
+}
+
+FitErrors errors_of_series(const Eigen::ArrayXXd& series, const ExponentialProfile& fitted,
+                           const ColumnWithoutBlocks& blocks) {
+  CorrelationTime all = correlation_time(fluctuating(series, fitted, false), blocks.runs);
+  // How rings differ is told by the zone.
+  all.unknown_scatter = 0;
+  const auto count = static_cast<double>(series.rows());
+  const ErrorDecision decision = decide(all, count);
+  const double of_zone = correlation_time(fluctuating(series, fitted, true), blocks.runs).time;
   FitErrors errors;
   errors.remark = fmt::format("{} blocks of {} frames", series.rows(), blocks.frames);
-  if (all.fields.front().series == 0 || std::isnan(time.time)) {
+  if (std::isnan(all.time) || std::isnan(of_zone)) {
     errors.remark += ", too few to tell 2 tau";
     return errors;
   }
-  const double of_zone = errors_of_field(zone, blocks.runs).fields.front().correlation.time;
-  const Slowest slower = slower_of(all, of_zone, count);
-  const bool given = slower.error.isFinite().all();
-  const double slowest = given ? slower.time.maxCoeff() : time.time;
-  errors.two_tau = blocks.frames * slowest;
-  errors.two_tau_error = errors.two_tau * time.uncertainty;
-  errors.samples = count / slowest;
-  if (!given) errors.remark += too_few(decision);
-  if (!given) return errors;
+  const Eigen::Array2d time = all.of_series.head(2).max(of_zone);
+  errors.two_tau = blocks.frames * time.maxCoeff();
+  errors.two_tau_error = errors.two_tau * all.uncertainty;
+  errors.samples = count / time.maxCoeff();
+  if (!decision.given || (time >= count).any()) {
+    errors.remark += fmt::format(", {:.3g} effective samples of the {:.3g} that are needed", errors.samples,
+                                 std::ceil(decision.needed));
+    return errors;
+  }
   errors.method = "jackknife of blocks";
   errors.correlation = correlation(series);
-  widen(slower.error / student_width(decision.freedom), decision.freedom, errors);
+  widen(errors_with(series, time, decision.widening / student_width(decision.freedom)), decision.freedom,
+        errors);
   return errors;
 }
 
@@ -158,9 +147,8 @@ FitErrors errors_from_blocks(const ExponentialProfile& fitted, const ColumnWitho
     const Eigen::ArrayXXd series = pseudo_values(fitted, blocks, fit);
     if (!series.isFinite().all()) return none;
     const Runs runs = by_run(series, blocks.runs);
-    return runs.share.size() >= enough_runs
-               ? errors_of_runs(runs.mean, runs.share)
-               : errors_of_series(series, series_of_zone(series, fitted), blocks);
+    return runs.share.size() >= enough_runs ? errors_of_runs(runs.mean, runs.share)
+                                            : errors_of_series(series, fitted, blocks);
   } catch (const Error&) {
     return none;
   }

@@ -24,7 +24,8 @@ void add_average_options(CLI::App& app, AverageOptions& options) {
   add_weight_option(app, options.volumes);
   add_field_options(app, options.fields);
   app.add_option("--error-blocks", options.error_blocks,
-                 "blocks of frames that are kept for standard errors, default 64; 0 for no errors")
+                 "blocks of frames that are kept for standard errors, default 64, or up to 1024 where they "
+                 "take less than 4 MB; 0 for no errors")
       ->transform(whole_number(0, 100000));
   app.add_option("--out", options.out,
                  "FILE.csv, .h5, .vtkhdf or .hdf (both ParaView), or - for CSV on standard output (default); "
@@ -35,6 +36,15 @@ void add_average_options(CLI::App& app, AverageOptions& options) {
 
 std::unique_ptr<const Averager> make_averager(const AverageOptions& options) {
   return make_averager(options.volumes, fields_of(options.fields, options.volumes));
+}
+
+std::size_t error_blocks(const AverageOptions& options, const Averager& averager) {
+  return options.error_blocks.value_or(
+      suitable_blocks(static_cast<std::size_t>(averager.volume_count() * averager.sum_count())));
+}
+
+TimeAverage no_sums(const AverageOptions& options, const Averager& averager) {
+  return TimeAverage(error_blocks(options, averager));
 }
 
 void Averaged::add(std::int64_t step, const Rows& frame_sums, std::int64_t run) {
@@ -58,7 +68,7 @@ BlockErrors write_averages(const AverageOptions& options, const Averager& averag
   describe_numbers(options.fields, lines);
   for (const std::string& note : averager.notes(mean)) lines.emplace_back("note", note);
   BlockErrors errors;
-  if (options.error_blocks > 0) errors = add_errors(averager, averaged.sums, table, lines);
+  if (options.error_blocks != 0) errors = add_errors(averager, averaged.sums, table, lines);
   outputs.commit(lines, table, ring_centre(options.volumes));
   return errors;
 }

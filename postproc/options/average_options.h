@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,13 +20,18 @@ struct AverageOptions {
   VolumeOptions volumes;
   FieldChoice fields;
   std::vector<std::string> out;
-  std::size_t error_blocks = 64;
+  std::optional<std::size_t> error_blocks;  ///< else suitable_blocks
 };
 
 void add_average_options(CLI::App& app, AverageOptions& options);
 
 /// The averager that the options ask for. Throws on options that contradict each other or have no meaning.
 std::unique_ptr<const Averager> make_averager(const AverageOptions& options);
+
+/// Sums without frames, with the blocks for errors that the options want.
+TimeAverage no_sums(const AverageOptions& options, const Averager& averager);
+/// How many blocks that are.
+std::size_t error_blocks(const AverageOptions& options, const Averager& averager);
 
 /// Time steps of the first and the last frame.
 struct FrameRange {

@@ -16,6 +16,9 @@ std::string report(const FieldErrors& made) {
   const std::string time =
       fmt::format("{}: {}2 tau = {:.3g} +- {:.2g} frames", made.field.name, decision.given ? "" : "none, ",
                   correlation.time, correlation.time * correlation.uncertainty);
+  if (decision.unlike)
+    return fmt::format("{}, but it differs from series to series by {:.0f} %, more than each knows its own",
+                       time, 100 * correlation.scatter);
   if (!decision.given)
     return fmt::format("{}, {:.3g} effective samples of the {:.3g} that are needed", time, decision.samples,
                        std::ceil(decision.needed));
@@ -34,6 +37,7 @@ JsonObject json_of(const FieldErrors& made) {
   json.add("two_tau", correlation.time);
   json.add("two_tau_err", if_known(correlation.time * correlation.uncertainty));
   json.add("two_tau_scatter", if_known(correlation.scatter));
+  json.add("two_tau_scatter_unknown", if_known(correlation.unknown_scatter));
   json.add("effective_samples", if_known(made.decision.samples));
   json.add("needed_samples", if_known(made.decision.needed));
   json.add("degrees_of_freedom", if_known(made.decision.freedom));

@@ -12,8 +12,8 @@ namespace mikromakro {
 void describe_errors(const BlockErrors& errors, const TimeAverage& average, Preamble& lines);
 
 /// The same as JSON: method, frames, blocks, block_length, and for each of the fields given, series (that
-/// fluctuate), two_tau and two_tau_err in frames, two_tau_scatter, effective_samples and needed_samples,
-/// degrees_of_freedom, widening. What is not known is null.
+/// fluctuate), two_tau and two_tau_err in frames, two_tau_scatter, two_tau_scatter_unknown, effective_samples
+/// and needed_samples, degrees_of_freedom, widening. What is not known is null.
 JsonObject error_json(const BlockErrors& errors, const TimeAverage& average);
 
 }  // namespace mikromakro

@@ -1,6 +1,8 @@
 // How often standard errors cover the truth, in artificial runs whose truth is known, as Markdown:
-//   build/bin/coverage_bench [TRIALS] [fit]     fit: the tables of fitted profiles alone
-// "before" is the rule that decided number by number, "now" that of block_errors.
+//   build/bin/coverage_bench [TRIALS [TITLE]]
+// all tables, or those with TITLE in their title; fit: those of fitted profiles. "before" is the rule that
+// decided number by number, "now" that of block_errors. Where fewer than one trial in fifty has errors,
+// nothing is said of their coverage.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,33 +10,44 @@
 #include <string>
 
 #include "averaging/error_trials.h"
+#include "coverage_scenes.h"
 #include "fit_coverage.h"
 
 namespace mikromakro::bench {
 namespace {
 
 int trials = 500;
+std::string wanted;
 
-void head(const std::string& title) {
-  fmt::print(
-      "\n{}\n\n| series | frames | frames/(2 tau) | before: given % | 68 % | 95 % | now: given % | 68 % | 95 "
-      "% "
-      "|\n|---|---|---|---|---|---|---|---|---|\n",
-      title);
+// Whether the table with this title, which begins, is wanted.
+bool head(const std::string& title) {
+  if (title.find(wanted) == std::string::npos) return false;
+  fmt::print("\n{}\n\n| series | frames | frames/(2 tau) | before: given % | 68 % | 95 % | now: given % | ",
+             title);
+  fmt::print("68 % | 95 % |\n|---|---|---|---|---|---|---|---|---|\n");
+  return true;
 }
 
 std::string cells(const Coverage& covered) {
-  if (covered.given == 0) return "0 | - | -";
-  return fmt::format("{:.1f} | {:.1f} | {:.1f}", 100 * covered.given, 100 * covered.one_sigma,
-                     100 * covered.two_sided);
+  constexpr double fewest_trials = 0.02;
+  const double given = 100 * covered.given;
+  if (covered.trials < fewest_trials) return fmt::format("{:.1f} | - | -", given);
+  return fmt::format("{:.1f} | {:.1f} | {:.1f}", given, 100 * covered.one_sigma, 100 * covered.two_sided);
 }
 
-void line(const std::string& name, int frames, double time, Trials scene) {
+// Of the rule before, and of that of now.
+std::string both(Trials scene, const MakeErrors& before, const MakeErrors& now) {
+  scene.count = trials;
+  const std::string of_now = cells(coverage(scene, now));
+  scene.blocks = 64;
+  return cells(coverage(scene, before)) + " | " + of_now;
+}
+
+void line(const std::string& name, int frames, double time, const Trials& scene) {
   constexpr double fewest_samples = 3;
   if (frames < fewest_samples * time) return;
-  scene.count = trials;
-  fmt::print("| {} | {} | {:.1f} | {} | {} |\n", name, frames, frames / time,
-             cells(coverage(scene, errors_one_by_one)), cells(coverage(scene, errors_of_field)));
+  fmt::print("| {} | {} | {:.1f} | {} |\n", name, frames, frames / time,
+             both(scene, errors_one_by_one, errors_of_field));
 }
 
 double two_tau(double rho) {
@@ -51,7 +64,7 @@ Trials field_of(Eigen::Index volumes, Eigen::Index columns, double rho, int fram
 }
 
 void correlated(Eigen::Index volumes) {
-  head(fmt::format("AR(1), a field of {} series", volumes));
+  if (!head(fmt::format("AR(1), a field of {} series", volumes))) return;
   for (const double rho : {0.0, 0.3, 0.5, 0.7, 0.9})
     for (const int frames : {10, 20, 41, 64, 100, 200, 1000})
       line(fmt::format("correlation {:.1f}", rho), frames, two_tau(rho), field_of(volumes, 1, rho, frames));
@@ -61,7 +74,7 @@ void correlated(Eigen::Index volumes) {
 void two_scales() {
   constexpr Eigen::Index volumes = 20;
   constexpr double rho = 0.9;
-  head(fmt::format("Two time scales, a field of {} series", volumes));
+  if (!head(fmt::format("Two time scales, a field of {} series", volumes))) return;
   for (const double slow : {0.9, 0.1}) {
     for (const int frames : {41, 64, 100, 200, 1000}) {
       Trials scene;
@@ -81,8 +94,8 @@ void two_scales() {
 // Ten volumes of correlation 0 and ten of 0.7, as a field of one column; then each half alone.
 void unlike() {
   constexpr Eigen::Index half = 10;
-  head("Volumes that differ: ten of correlation 0, ten of 0.7 (2 tau of the slower ones)");
-  for (const int frames : {41, 64, 100, 200, 1000}) {
+  if (!head("Volumes that differ: ten of correlation 0, ten of 0.7 (2 tau of the slower ones)")) return;
+  for (const int frames : {41, 64, 100, 200, 400, 1000}) {
     for (const bool slow : {false, true}) {
       Trials scene;
       scene.truth = Rows::Zero(half, 1);
@@ -99,10 +112,8 @@ void unlike() {
         };
       };
       scene.solve = [slow](const Rows& sums) { return Rows(sums.col(slow ? 1 : 0)); };
-      scene.count = trials;
-      fmt::print("| {} | {} | {:.1f} | {} | {} |\n", slow ? "slow ones" : "fast ones", frames,
-                 frames / two_tau(0.7), cells(coverage(scene, part(errors_one_by_one))),
-                 cells(coverage(scene, part(errors_of_field))));
+      fmt::print("| {} | {} | {:.1f} | {} |\n", slow ? "slow ones" : "fast ones", frames,
+                 frames / two_tau(0.7), both(scene, part(errors_one_by_one), part(errors_of_field)));
     }
   }
 }
@@ -117,7 +128,7 @@ void solved() {
       angles(i, 0) = 0.5 * std::atan2(2 * (sums(i, 2) + 4), sums(i, 1) - sums(i, 0) + 10);
     return angles;
   };
-  head(fmt::format("Solved columns, {} volumes", volumes));
+  if (!head(fmt::format("Solved columns, {} volumes", volumes))) return;
   for (const auto& [name, solve] : {std::pair("quotient", quotient), std::pair("angle", angle)}) {
     for (const double rho : {0.0, 0.5, 0.9}) {
       for (const int frames : {20, 41, 100, 1000}) {
@@ -130,9 +141,23 @@ void solved() {
   }
 }
 
+void other_noise() {
+  if (!head("Noise of other kinds")) return;
+  for (const Scene& scene : scenes_of_other_noise()) {
+    for (const int frames : {20, 41, 100, 400}) {
+      Trials one;
+      one.run = scene.run(frames);
+      one.truth = Rows::Zero(scene.series, 1);
+      line(scene.name, frames, scene.time, one);
+    }
+  }
+}
+
 void several_runs() {
   constexpr Eigen::Index volumes = 20;
-  head(fmt::format("Runs that are averaged together, a field of {} series (frames of all runs)", volumes));
+  if (!head(
+          fmt::format("Runs that are averaged together, a field of {} series (frames of all runs)", volumes)))
+    return;
   for (const double rho : {0.0, 0.5, 0.7, 0.9}) {
     for (const int runs : {2, 4, 8}) {
       for (const int frames : {10, 41, 100}) {
@@ -150,11 +175,13 @@ void several_runs() {
 int main(int argc, char** argv) {
   using namespace mikromakro::bench;
   if (argc > 1) trials = std::max(1, std::atoi(argv[1]));
-  print_fit_coverage(trials);
-  if (argc > 2 && std::string(argv[2]) == "fit") return 0;
+  if (argc > 2) wanted = argv[2];
+  if (wanted.empty() || wanted == "fit") print_fit_coverage(trials);
+  if (wanted == "fit") return 0;
   for (const Eigen::Index volumes : {20, 4, 1}) correlated(volumes);
   two_scales();
   unlike();
   solved();
   several_runs();
+  other_noise();
 }

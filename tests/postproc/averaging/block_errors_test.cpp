@@ -91,16 +91,24 @@ TEST(TimeAverage, ManyRunsOfOneFrameAreAsManyBlocks) {
   EXPECT_EQ(average.blocks().size(), 200U);
 }
 
-// 64 values 1 and -1 by turns: their correlation is negative and does not count, standard error of the mean
-// of 64 values sqrt(64/63/64), but for what it is wider for its uncertainty.
+// Of sixty numbers in a volume: 2^22/8/60 = 8738 blocks for one, at most 1024; 436 for twenty, as a power of
+// two; 64 for many.
+TEST(TimeAverage, KeepsMoreBlocksOfFewNumbers) {
+  EXPECT_EQ(suitable_blocks(60), 1024U);
+  EXPECT_EQ(suitable_blocks(20 * 60), 256U);
+  EXPECT_EQ(suitable_blocks(3600 * 60), 64U);
+}
+
+// 512 values 1 and -1 by turns: their correlation is negative and does not count, standard error of the mean
+// of 512 values sqrt(512/511/512), but for what it is wider for its uncertainty.
 TEST(BlockErrors, JackknifeOfAMeanIsItsStandardError) {
   std::vector<double> series;
-  for (int i = 0; i < 32; ++i) series.insert(series.end(), {1, -1});
-  const BlockErrors errors = errors_of(average_of(series), same);
+  for (int i = 0; i < 256; ++i) series.insert(series.end(), {1, -1});
+  const BlockErrors errors = errors_of(average_of(series, 512), same);
   const double widening = errors.fields[0].decision.widening;
   EXPECT_GT(widening, 1);
-  expect_measured(errors.error(0, 0) / widening, std::sqrt(1.0 / 63), rounding);
-  expect_measured(errors.effective_samples()[0], 64, rounding);
+  expect_measured(errors.error(0, 0) / widening, std::sqrt(1.0 / 511), rounding);
+  expect_measured(errors.effective_samples()[0], 512, rounding);
   expect_measured(errors.times_of_fields()(0, 0), 1, rounding);
 }
 
@@ -110,8 +118,9 @@ TEST(BlockErrors, JackknifeOfAMeanIsItsStandardError) {
 TEST(BlockErrors, QuotientsAreSolvedBeforeTheyAreCompared) {
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
-  TimeAverage average;
-  for (int i = 0; i < 64; ++i) {
+  constexpr int frames = 400;
+  TimeAverage average(frames);
+  for (int i = 0; i < frames; ++i) {
     const double x = 10 + normal(random);
     average.add(row({x, 2 * x, 20 + normal(random)}));
   }
@@ -142,8 +151,8 @@ TEST(BlockErrors, RunsDoNotCorrelateWithEachOther) {
   expect_measured(errors.error(0, 0), errors_of(by_turns, same).error(0, 0), rounding);
 }
 
-// Seven frames of a hundred series; a drift that is one long correlation; a single series of 60 frames with 2
-// tau = 3, of which no estimate is to be believed (20 samples, 36 are needed): nan, never a small number.
+// Seven frames of a hundred series, and a drift that is one long correlation: nan, never a small number.
+// Twelve frames do.
 TEST(BlockErrors, AreNanForTooFewFrames) {
   std::mt19937_64 random(3);
   TimeAverage average;
@@ -182,10 +191,14 @@ TEST(BlockErrors, AreNanForWhatDoesNotFluctuate) {
   const BlockErrors errors = errors_of(average_of(std::vector<double>(100, 0.3)), same);
   EXPECT_TRUE(std::isnan(errors.error(0, 0)));
   EXPECT_TRUE(std::isnan(errors.effective_samples()[0]));
-  // Rounding is no fluctuation.
-  std::vector<double> rounded(100, 0.3);
-  for (std::size_t i = 0; i < rounded.size(); i += 3) rounded[i] *= 1 + 5e-14;
-  EXPECT_FALSE(errors_of(average_of(rounded), same).any());
+  // Rounding is no fluctuation; m blocks make it m times larger.
+  for (const std::size_t blocks : {64, 1024}) {
+    for (const double value : {0.251, 0.26, 0.3, 1.01}) {
+      std::vector<double> rounded(blocks, value);
+      for (std::size_t i = 0; i < rounded.size(); i += 3) rounded[i] *= 1 + 2e-13;
+      EXPECT_EQ(errors_of(average_of(rounded, blocks), same).fields[0].series, 0) << blocks << ' ' << value;
+    }
+  }
 }
 
 TEST(BlockErrors, AreNanForWhatIsUndefinedWithoutABlock) {

@@ -7,7 +7,9 @@ namespace mikromakro {
 namespace {
 
 TimeAverage average_of(const Trials& trials, std::mt19937_64& random) {
-  TimeAverage average;
+  constexpr std::size_t numbers = 60;  // that a table sums in each volume
+  const auto volumes = static_cast<std::size_t>(trials.truth.rows());
+  TimeAverage average(trials.blocks > 0 ? trials.blocks : suitable_blocks(numbers * volumes));
   for (int run = 0; run < trials.runs; ++run)
     for (const Rows& frame : trials.run(random)) average.add(frame, run);
   return average;
@@ -79,17 +81,18 @@ Rows errors_one_by_one(const TimeAverage& average, const Solver& solve) {
 Coverage coverage(const Trials& trials, const MakeErrors& errors) {
   std::mt19937_64 random(17);
   const Solver solve = trials.solve ? trials.solve : [](const Rows& sums) { return sums; };
-  double all = 0, given = 0, one_sigma = 0, two_sided = 0;
+  double all = 0, with_errors = 0, given = 0, one_sigma = 0, two_sided = 0;
   for (int i = 0; i < trials.count; ++i) {
     const TimeAverage average = average_of(trials, random);
     const Rows distance = (solve(average.mean()) - trials.truth).abs();
     const Rows error = errors(average, solve);
     all += static_cast<double>(error.size());
     given += static_cast<double>(error.isFinite().count());
+    if (error.isFinite().any()) ++with_errors;
     one_sigma += static_cast<double>((distance < error).count());
     two_sided += static_cast<double>((distance < 1.959964 * error).count());
   }
-  return {given / all, one_sigma / given, two_sided / given};
+  return {given / all, with_errors / trials.count, one_sigma / given, two_sided / given};
 }
 
 }  // namespace mikromakro

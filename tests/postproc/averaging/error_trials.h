@@ -18,11 +18,13 @@ struct Trials {
   Solver solve;  ///< empty: the sums themselves
   Rows truth;    ///< of what is solved
   int count = 500;
+  std::size_t blocks = 0;  ///< 0: as many as the program keeps
 };
 
 /// Of all numbers in all trials, and of those that had an error.
 struct Coverage {
   double given = 0;
+  double trials = 0;     ///< in which at least one had an error
   double one_sigma = 0;  ///< within one standard error: 0.683
   double two_sided = 0;  ///< within 1.96 of them: 0.95
 };
@@ -34,8 +36,8 @@ Coverage coverage(const Trials& trials, const MakeErrors& errors);
 /// block_errors, all columns as one field.
 Rows errors_of_field(const TimeAverage& average, const Solver& solve);
 
-/// What block_errors was before: each number decides by its own correlation, which must leave 16 independent
-/// blocks, whether it has an error.
+/// What block_errors was before, with 64 blocks: each number decides by its own correlation, which must leave
+/// 16 independent blocks, whether it has an error.
 Rows errors_one_by_one(const TimeAverage& average, const Solver& solve);
 
 /// x_(i+1) = rho x_i + noise, of mean 0 and variance 1: 2 tau = (1 + rho)/(1 - rho).

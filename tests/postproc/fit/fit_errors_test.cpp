@@ -57,13 +57,13 @@ TEST(FitErrors, OfEightRunsAreThoseOfTheirMeans) {
 }
 
 // v0 and s change together as d v0/d v_i and d s/d v_i say: noise in one ring alone is a correlation of -1 or
-// 1, of that sign.
+// 1, of that sign. A single series knows 2 tau from 600 blocks.
 TEST(FitErrors, CorrelationOfBothIsThatOfTheFit) {
   std::mt19937_64 random(2);
   std::normal_distribution<double> normal;
   for (const Eigen::Index ring : {0, 3}) {
-    ColumnWithoutBlocks blocks = in_step(std::vector<double>(60, 0.0), std::vector<std::int64_t>(60, 0));
-    for (Eigen::Index i = 0; i < 60; ++i) blocks.values(ring, i) *= 1 + 1e-6 * normal(random);
+    ColumnWithoutBlocks blocks = in_step(std::vector<double>(600, 0.0), std::vector<std::int64_t>(600, 0));
+    for (Eigen::Index i = 0; i < 600; ++i) blocks.values(ring, i) *= 1 + 1e-6 * normal(random);
     const ExponentialProfile fitted = fit(profile());
     const FitErrors errors = errors_from_blocks(fitted, blocks, fit);
     const double product = fitted.change(0, ring) * fitted.change(1, ring);
