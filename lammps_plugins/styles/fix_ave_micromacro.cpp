@@ -100,7 +100,7 @@ FixAveMicromacro::FixAveMicromacro(LAMMPS_NS::LAMMPS* engine, int narg, char** a
   windows_ = windows > 0;
   if (windows_ && windows < std::ssize(options_.out))
     arguments.fail("file: expected a * in all names or in none, got both");
-  averaged_.sums = TimeAverage(options_.error_blocks);
+  averaged_.sums = no_sums(options_, *averager_);
   // Found out before a long run starts.
   on_first_rank(*lmp, style, [this] { const TableOutputs can_be_written(names_at(options_.out, 0)); });
 }
@@ -176,7 +176,7 @@ void FixAveMicromacro::warn_of(const std::string& name, const std::string& keywo
 }
 
 void FixAveMicromacro::count_steps_anew(LAMMPS_NS::bigint /*shift*/) {
-  averaged_ = {TimeAverage(options_.error_blocks), {}};
+  averaged_ = {no_sums(options_, *averager_), {}};
 }
 
 void FixAveMicromacro::end_of_step() {
@@ -207,7 +207,7 @@ void FixAveMicromacro::write() {
     tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
                    "): no disc lies in the volumes, or is of the types that are averaged");
   write_averages(options_, *averager_, averaged_, lines, outputs);
-  if (windows_) averaged_ = {TimeAverage(options_.error_blocks), {}};
+  if (windows_) averaged_ = {no_sums(options_, *averager_), {}};
 }
 
 }  // namespace mikromakro::styles

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <memory>
 
 #include "app/averaging_run.h"
@@ -5,7 +8,10 @@
 #include "app/input_options.h"
 #include "app/memory_need.h"
 #include "app/run_constants.h"
+#include "averaging/block_table.h"
+#include "io/error.h"
 #include "options/average_options.h"
+#include "options/error_report.h"
 
 namespace mikromakro {
 namespace {
@@ -14,12 +20,18 @@ struct CommandOptions {
   InputOptions input;
   AverageOptions average;
   RunOptions run;
+  std::string blocks;  // file of the averages without each block of frames
+  bool json = false;
 };
 
 void add_options(CLI::App& app, CommandOptions& options) {
   add_input_options(app, options.input);
   add_average_options(app, options.average);
   add_run_options(app, options.run);
+  app.add_option("--blocks", options.blocks,
+                 "FILE.csv: the table without each block of frames, for `fit TABLE.csv --blocks FILE.csv`");
+  app.add_flag("--json", options.json,
+               "how the standard errors were made, as JSON on standard output; with --out");
 }
 
 // The averager, and what it is to read.
@@ -28,9 +40,37 @@ struct Task {
   std::unique_ptr<const Averager> averager;
   FrameSource source;
   std::unique_ptr<TableOutputs> outputs;  // on rank 0
+  std::unique_ptr<OutputFile> blocks;     // on rank 0, where it was asked for
 };
 
+// The table goes elsewhere then, and there are errors.
+void check_json(const AverageOptions& options) {
+  const bool table_on_stdout =
+      options.out.empty() || std::find(options.out.begin(), options.out.end(), "-") != options.out.end();
+  if (table_on_stdout)
+    throw bad_input({"--json"}, "the table would stand on standard output too", "--out FILE",
+                    options.out.empty() ? "no --out" : "--out -");
+  if (options.error_blocks == 0)
+    throw bad_input({"--json"}, "there are no errors to tell of", "--error-blocks above 0", "0");
+}
+
+// Made at once, as the outputs of the table are.
+std::unique_ptr<OutputFile> block_file(const CommandOptions& options,
+                                       const std::vector<std::string>& inputs) {
+  if (options.blocks.empty()) return nullptr;
+  if (!options.blocks.ends_with(".csv"))
+    throw bad_input({"--blocks"}, "unknown kind of output file", "a name ending in .csv",
+                    in_quotes(options.blocks));
+  if (options.average.error_blocks == 0)
+    throw bad_input({"--blocks"}, "no blocks of frames are kept", "--error-blocks above 0", "0");
+  std::vector<std::string> outputs = options.average.out;
+  outputs.push_back(options.blocks);
+  check_outputs(outputs, inputs);
+  return std::make_unique<OutputFile>(options.blocks);
+}
+
 Task task_of(const CommandOptions& options, const Ranks& ranks) {
+  if (options.json) check_json(options.average);
   Task task;
   task.options = options.average;
   VolumeOptions& volumes = task.options.volumes;
@@ -39,19 +79,27 @@ Task task_of(const CommandOptions& options, const Ranks& ranks) {
   take_stiffness(files, volumes.bulk_types, task.options.fields);
   compare_friction(files, task.options.fields.numbers.friction_coefficient);
   task.averager = make_averager(task.options);
+  // A table of the blocks has as many numbers again, as such and as text.
+  const double copies = options.blocks.empty() ? 1 : 5;
   check_memory({static_cast<double>(task.averager->volume_count() * task.averager->sum_count()),
-                threads_of(options.run, ranks), static_cast<double>(task.options.error_blocks)},
+                threads_of(options.run, ranks),
+                copies * static_cast<double>(error_blocks(task.options, *task.averager))},
                volume_option(volumes));
   task.source = source_of(options.input, *task.averager);
   task.source.notes = files.notes;
-  if (ranks.first()) task.outputs = std::make_unique<TableOutputs>(task.options.out, files.files());
+  if (!ranks.first()) return task;
+  task.outputs = std::make_unique<TableOutputs>(task.options.out, files.files());
+  task.blocks = block_file(options, files.files());
   return task;
 }
 
 void write(const CommandOptions& options, const Task& task, const Averaged& averaged) {
   Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " average"}};
   describe_input(options.input, task.source, lines);
-  write_averages(task.options, *task.averager, averaged, std::move(lines), *task.outputs);
+  if (task.blocks) task.blocks->commit(csv_text(lines, block_table(*task.averager, averaged.sums)));
+  const BlockErrors errors =
+      write_averages(task.options, *task.averager, averaged, std::move(lines), *task.outputs);
+  if (options.json) fmt::print("{}\n", error_json(errors, averaged.sums).text());
 }
 
 void average(const CommandOptions& options, const Ranks& ranks) {
@@ -59,7 +107,7 @@ void average(const CommandOptions& options, const Ranks& ranks) {
   ranks.agree([&] { task = task_of(options, ranks); });
   const SumFrame sum = [&](const Frame& frame) { return task.averager->frame_sums(frame); };
   const Averaged averaged = average_frames(task.source, task.options.volumes, sum,
-                                           TimeAverage(task.options.error_blocks), options.run, ranks);
+                                           no_sums(task.options, *task.averager), options.run, ranks);
   ranks.agree([&] {
     if (ranks.first()) write(options, task, averaged);
   });

@@ -4,28 +4,22 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "fit/exponential_profile.h"
+#include "app/fit_report.h"
 #include "io/csv_reader.h"
 #include "io/error.h"
-#include "io/json_object.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {
 namespace {
 
 struct FitOptions {
-  std::string file, column = "v_phi", weights = "none";
+  std::vector<std::string> files;
+  std::string column = "v_phi", weights = "none", blocks;
   std::vector<double> range;
   double ri = std::nan("");
   double omega = std::nan("");
-  bool json = false;
-};
-
-struct FitResult {
-  ExponentialProfile profile;
-  double r_i = 0;
-  double scale = 0;  // Omega R_i, nan when --omega is not given
-  std::string unit;  // of the column
+  bool log = false, json = false;
+  FitSaid said;
 };
 
 constexpr std::string_view unit_of_velocity = "m/s";
@@ -50,73 +44,93 @@ void check_rings(const CsvTable& table) {
   }
 }
 
-FitResult fit_file(const FitOptions& options) {
-  const CsvTable table(options.file);
+CsvTable ring_table(const std::string& file) {
+  CsvTable table(file);
   if (!table.has("r"))
-    throw bad_input({options.file}, "the table is not one of rings", "a column r, as of average --rings",
-                    "none");
-  ProfilePoints points{table.column("r"), table.column(options.column), {}};
-  if (options.weights == "errors") points.error = table.column(options.column + "_err");
-  if (table.rows() == 0) throw bad_input({options.file}, "the table is empty", "rows of numbers", "none");
+    throw bad_input({file}, "the table is not one of rings", "a column r, as of average --rings", "none");
+  if (table.rows() == 0) throw bad_input({file}, "the table is empty", "rows of numbers", "none");
   check_rings(table);
-  if (options.range.size() == 2) {
-    const bool ordered = options.range[0] < options.range[1];
-    if (!ordered)
-      throw bad_input({"--range"}, "the range is empty", "R1 < R2",
-                      fmt::format("{} {}", options.range[0], options.range[1]));
-    const auto inside = points.r >= options.range[0] && points.r <= options.range[1];
-    points.v = inside.select(points.v, std::nan("")).eval();
-  }
-  FitResult result;
-  result.unit = table.unit(options.column);
-  if (!std::isnan(options.omega) && !result.unit.empty() && result.unit != unit_of_velocity)
+  return table;
+}
+
+RingProfile profile_of(const CsvTable& table, const FitOptions& options) {
+  const std::string error = options.column + "_err";
+  RingProfile profile{"", table.column("r"), table.column(options.column), {}};
+  if (options.files.size() > 1) profile.name = table.file();
+  if (options.weights == "errors" || table.has(error)) profile.error = table.column(error);
+  return profile;
+}
+
+FitWay way_of(const FitOptions& options) {
+  FitWay way;
+  if (options.log) way.of = FitOf::log_v;
+  way.by_errors = options.weights == "errors";
+  if (options.range.empty()) return way;
+  way.from = options.range[0];
+  way.to = options.range[1];
+  if (!(way.from < way.to))
+    throw bad_input({"--range"}, "the range is empty", "R1 < R2", fmt::format("{} {}", way.from, way.to));
+  return way;
+}
+
+// R_i and Omega R_i.
+void take_wheel(const FitOptions& options, const CsvTable& table, FitReport& report) {
+  report.unit = table.unit(options.column);
+  report.omega = options.omega;
+  report.r_i = std::isnan(options.ri) ? table.column("r_inner")[0] : options.ri;
+  report.scale = report.omega * report.r_i;
+  if (std::isnan(options.omega)) return;
+  if (!report.unit.empty() && report.unit != unit_of_velocity)
     throw bad_input({"--omega"}, fmt::format("{} is no velocity", options.column),
-                    fmt::format("a column in {}", unit_of_velocity), result.unit);
-  result.r_i = std::isnan(options.ri) ? table.column("r_inner")[0] : options.ri;
+                    fmt::format("a column in {}", unit_of_velocity), report.unit);
   if (options.omega == 0)
     throw bad_input({"--omega"}, "the wheel does not turn", "a rate that is not 0", "0");
-  if (!std::isnan(options.omega) && result.r_i == 0)
+  if (report.r_i == 0)
     throw bad_input({"--omega"}, "a wheel of no radius has no velocity",
                     "--ri above 0, or rings that begin there", "0");
-  result.scale = options.omega * result.r_i;
-  result.profile = fit_exponential(points, result.r_i);
-  return result;
 }
 
-Estimate scaled(const Estimate& v0, double scale) {
-  const Estimate by{v0.value / scale, v0.low / scale, v0.high / scale};
-  return scale < 0 ? Estimate{by.value, by.high, by.low} : by;
+FitErrors errors_of(const FitOptions& options, const CsvTable& table, const RingProfile& profile,
+                    const FitReport& report) {
+  if (!options.blocks.empty()) {
+    const ColumnWithoutBlocks blocks = column_without_blocks(CsvTable(options.blocks), options.column, table);
+    return errors_from_blocks(report.fitted, blocks, [&](const Eigen::ArrayXd& values) {
+      RingProfile without = profile;
+      without.v = values;
+      return fit_exponential(without, report.r_i, report.way);
+    });
+  }
+  if (profile.error.size() > 0) return errors_from_rings(report.fitted, profile.error);
+  FitErrors none;
+  none.remark = fmt::format("neither --blocks nor a column {}_err", options.column);
+  return none;
 }
 
-void print_json(const FitOptions& options, const FitResult& result) {
-  JsonObject json;
-  const auto add = [&json](const std::string& key, const Estimate& estimate) {
-    json.add(key, estimate.value);
-    json.add(key + "_low", estimate.low);
-    json.add(key + "_high", estimate.high);
-  };
-  add("v0", result.profile.v0);
-  add("s", result.profile.s);
-  json.add("r_i", result.r_i);
-  json.add("omega", options.omega);
-  add("v0_scaled", scaled(result.profile.v0, result.scale));
-  json.add("rings", std::int64_t{result.profile.points});
-  json.add("residual_rms", result.profile.residual_rms);
-  fmt::print("{}\n", json.text());
+double residuals_over_errors(const RingProfile& profile, const FitReport& report) {
+  if (profile.error.size() == 0) return std::nan("");
+  const ExponentialProfile& fitted = report.fitted;
+  const Eigen::ArrayXd r = profile.r(fitted.used), v = profile.v(fitted.used);
+  const Eigen::ArrayXd residual = v - fitted.v0 * (-(r - report.r_i) / fitted.s).exp();
+  return std::sqrt((residual / profile.error(fitted.used)).square().mean());
 }
 
-void print_text(const FitOptions& options, const FitResult& result) {
-  const auto line = [](std::string_view name, const Estimate& estimate, std::string_view unit) {
-    fmt::print("{} = {:.6g}{}{} (95 %: {:.6g} to {:.6g})\n", name, estimate.value, unit.empty() ? "" : " ",
-               unit, estimate.low, estimate.high);
-  };
-  fmt::print("{}(r) = v0 exp(-(r - R_i)/s), R_i = {:.6g} m, {} rings\n", options.column, result.r_i,
-             result.profile.points);
-  line("v0", result.profile.v0, result.unit);
-  line("s", result.profile.s, "m");
-  if (!std::isnan(result.scale)) line("v0/(Omega R_i)", scaled(result.profile.v0, result.scale), "");
-  fmt::print("rms of the residuals = {:.6g} {}\n", result.profile.residual_rms,
-             result.unit.empty() ? "(the table does not tell the unit)" : result.unit);
+FitReport fit_files(const FitOptions& options) {
+  const CsvTable table = ring_table(options.files.front());
+  std::vector<RingProfile> profiles;
+  for (const std::string& file : options.files) profiles.push_back(profile_of(ring_table(file), options));
+  const RingProfile& profile = profiles.front();
+  FitReport report;
+  report.column = options.column;
+  report.way = way_of(options);
+  take_wheel(options, table, report);
+  report.fitted = fit_exponential(profile, report.r_i, report.way);
+  const Eigen::ArrayXd r = profile.r(report.fitted.used);
+  report.first_r = r.minCoeff();
+  report.last_r = r.maxCoeff();
+  report.errors = errors_of(options, table, profile, report);
+  report.residuals_over_errors = residuals_over_errors(profile, report);
+  report.choices = fit_choices(profiles, report.r_i, report.way, report.fitted.s, options.said);
+  return report;
 }
 
 }  // namespace
@@ -124,20 +138,29 @@ void print_text(const FitOptions& options, const FitResult& result) {
 void add_fit_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("fit", "exponential velocity profile v0 exp(-(r - R_i)/s)");
   auto options = std::make_shared<FitOptions>();
-  app->add_option("file", options->file, "table of `mikromakro average`")->required();
+  app->add_option("file", options->files,
+                  "table of `mikromakro average`; further ones, of other rings say, are choices beside it")
+      ->required();
   app->add_option("--column", options->column, "column to fit, default v_phi");
-  app->add_option("--weights", options->weights,
-                  "none (default): each ring counts the same; errors: by its standard error COLUMN_err")
-      ->check(one_of({"none", "errors"}));
-  app->add_option("--range", options->range, "R1 R2: rings with R1 <= r <= R2 only (m)")
-      ->expected(2)
-      ->allow_extra_args(false);
+  app->add_option(
+      "--blocks", options->blocks,
+      "file of `average --blocks` beside the table: the profile without each block of frames, for "
+      "intervals that count how rings fluctuate together");
+  CLI::Option* weights =
+      app->add_option("--weights", options->weights,
+                      "none (default): each ring counts the same; errors: by its standard error COLUMN_err")
+          ->check(one_of({"none", "errors"}));
+  CLI::Option* log = app->add_flag("--log", options->log, "least squares of log v, not of v");
+  CLI::Option* range = app->add_option("--range", options->range, "R1 R2: rings with R1 <= r <= R2 only (m)")
+                           ->expected(2)
+                           ->allow_extra_args(false);
   app->add_option("--ri", options->ri, "R_i (m), default r_inner of the first ring");
   app->add_option("--omega", options->omega, "rate of rotation of the wheel (rad/s), for v0/(Omega R_i)");
   app->add_flag("--json", options->json, "print JSON");
-  app->callback([options] {
-    const FitResult result = fit_file(*options);
-    options->json ? print_json(*options, result) : print_text(*options, result);
+  app->callback([=] {
+    options->said = {range->count() > 0, weights->count() + log->count() > 0};
+    const FitReport report = fit_files(*options);
+    options->json ? print_json(report) : print_text(report);
   });
 }
 

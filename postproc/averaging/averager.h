@@ -43,6 +43,8 @@ class Averager {
 
   /// The columns of the fields that were asked for.
   std::vector<Column> columns() const;
+  /// Whose they are, in their order.
+  std::vector<ColumnsOfField> columns_of_fields() const;
   /// For each of them, whether it is a sum over V (fields/volume_sum.h).
   std::vector<bool> volume_sums() const;
   /// Their values from the mean of such sums.

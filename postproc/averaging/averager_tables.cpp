@@ -29,6 +29,16 @@ std::vector<Column> Averager::columns() const {
   return columns;
 }
 
+std::vector<ColumnsOfField> Averager::columns_of_fields() const {
+  std::vector<ColumnsOfField> fields;
+  for (const ListedField& listed : fields_) {
+    if (!listed.shown) continue;
+    const auto count = static_cast<Eigen::Index>(listed.field->columns(volumes_->axes()).size());
+    fields.push_back({std::string(listed.field->name()), count});
+  }
+  return fields;
+}
+
 std::vector<bool> Averager::volume_sums() const {
   std::vector<bool> sums;
   for (const ListedField& listed : fields_) {

@@ -1,101 +1,107 @@
 #include "averaging/block_errors.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace mikromakro {
 namespace {
 
+using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double fewest_independent = 16;
-constexpr double window_over_time = 1.5;
 
-struct Jackknife {
-  std::vector<Rows> pseudo_values;  // of each block
-  Rows error;
+struct PseudoValues {
+  std::vector<Rows> deviations;  // of each block, from the whole
+  Rows variance;
+  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> fluctuate;  // beyond rounding
 };
 
-Jackknife jackknife(const std::vector<Rows>& blocks, const Solver& solve) {
+PseudoValues pseudo_values(const std::vector<Rows>& blocks, const Solver& solve) {
   const auto count = static_cast<double>(blocks.size());
   Rows total = blocks.front();
   for (std::size_t i = 1; i < blocks.size(); ++i) total += blocks[i];
   const Rows whole = solve(total / count);
-  Jackknife result;
-  Rows mean = Rows::Zero(whole.rows(), whole.cols());
+  PseudoValues values;
+  values.deviations.reserve(blocks.size());
+  Rows mean = Rows::Zero(whole.rows(), whole.cols()), squares = mean;
   for (const Rows& block : blocks) {
-    const Rows without = solve((total - block) / (count - 1));
-    result.pseudo_values.push_back(count * whole - (count - 1) * without);
-    mean += result.pseudo_values.back() / count;
+    values.deviations.emplace_back((count - 1) * (whole - solve((total - block) / (count - 1))));
+    mean += values.deviations.back() / count;
+    squares += values.deviations.back().square() / count;
   }
-  Rows squares = Rows::Zero(whole.rows(), whole.cols());
-  for (const Rows& value : result.pseudo_values) squares += (value - mean).square();
-  result.error = (squares / (count * (count - 1))).sqrt();
-  return result;
+  values.variance = squares - mean.square();
+  const double rounding = 2e-15 * count;
+  // Not true for nan either.
+  values.fluctuate = values.variance.sqrt() > rounding * (whole + mean).abs();
+  return values;
 }
 
-// Of blocks of the same run: runs do not depend on each other. Pairs of different runs are left out, and the
-// others count for them.
-double autocovariance(const Eigen::ArrayXd& deviation, const std::vector<std::int64_t>& runs,
-                      Eigen::Index lag) {
-  const Eigen::Index count = deviation.size();
-  double sum = 0;
-  Eigen::Index pairs = 0;
-  for (Eigen::Index i = 0; i + lag < count; ++i) {
-    if (runs[static_cast<std::size_t>(i)] != runs[static_cast<std::size_t>(i + lag)]) continue;
-    sum += deviation[i] * deviation[i + lag];
-    ++pairs;
+// Where series that fluctuate stand among all results, one volume after the other.
+std::vector<Eigen::Index> places_of(const PseudoValues& values, Eigen::Index begin, Eigen::Index columns) {
+  std::vector<Eigen::Index> places;
+  for (Eigen::Index row = 0; row < values.fluctuate.rows(); ++row) {
+    for (Eigen::Index column = begin; column < begin + columns; ++column) {
+      if (values.fluctuate(row, column)) places.push_back(row * values.fluctuate.cols() + column);
+    }
   }
-  if (pairs == 0) return nan;
-  return sum * (static_cast<double>(count - lag) / static_cast<double>(pairs)) / static_cast<double>(count);
+  return places;
 }
 
-// 2 tau in blocks; nan where the series does not fluctuate beyond rounding.
-double correlation_time(const Eigen::ArrayXd& series, const std::vector<std::int64_t>& runs) {
-  const double mean = series.mean();
-  const Eigen::ArrayXd deviation = series - mean;
-  const double variance = autocovariance(deviation, runs, 0);
-  constexpr double rounding = 1e-13;
-  if (!(std::sqrt(variance) > rounding * std::abs(mean))) return nan;
-  const auto count = static_cast<double>(series.size());
-  double time = 1;
-  for (Eigen::Index lag = 1; lag < series.size() / 2; ++lag) {
-    const double covariance = autocovariance(deviation, runs, lag);
-    if (std::isnan(covariance)) break;  // longer than every run
-    // The mean of the series is taken off, which lowers each rho by 1/count.
-    time += 2 * (covariance / variance + 1 / count);
-    if (static_cast<double>(lag) >= window_over_time * time) break;
-  }
-  return std::max(time, 1.0);
-}
-
-Eigen::ArrayXd series_at(const std::vector<Rows>& values, Eigen::Index row, Eigen::Index column) {
-  Eigen::ArrayXd series(static_cast<Eigen::Index>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-    series[static_cast<Eigen::Index>(i)] = values[i](row, column);
+// A row for each block, a column for each place.
+Rows series_at(const std::vector<Eigen::Index>& places, const std::vector<Rows>& blocks) {
+  Rows series(static_cast<Eigen::Index>(blocks.size()), static_cast<Eigen::Index>(places.size()));
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    series.row(static_cast<Eigen::Index>(i)) =
+        Eigen::Map<const Row>(blocks[i].data(), blocks[i].size())(places);
   return series;
+}
+
+void fill(const std::vector<Eigen::Index>& places, const PseudoValues& values, const FieldErrors& field,
+          BlockErrors& errors) {
+  const auto count = static_cast<double>(values.deviations.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double time = field.correlation.of_series[static_cast<Eigen::Index>(i)];
+    // A series of its own time may be all one correlation.
+    if (!(time < count)) continue;
+    const double variance = values.variance.data()[places[i]];
+    errors.error.data()[places[i]] = field.decision.widening * std::sqrt(variance * time / (count - time));
+    errors.correlation_time.data()[places[i]] = time;
+  }
+}
+
+FieldErrors errors_of(const ColumnsOfField& field, Eigen::Index begin, const PseudoValues& values,
+                      const std::vector<std::int64_t>& runs, BlockErrors& errors) {
+  FieldErrors made{field, 0, {}, {}};
+  const std::vector<Eigen::Index> places = places_of(values, begin, field.count);
+  if (places.empty()) return made;
+  made.series = static_cast<Eigen::Index>(places.size());
+  made.correlation = correlation_time(series_at(places, values.deviations), runs);
+  made.decision = decide(made.correlation, static_cast<double>(values.deviations.size()));
+  if (made.decision.given) fill(places, values, made, errors);
+  return made;
 }
 
 }  // namespace
 
-BlockErrors block_errors(const TimeAverage& average, const Solver& solve) {
-  const Rows values = solve(average.mean());
+BlockErrors block_errors(const TimeAverage& average, const Solver& solve,
+                         const std::vector<ColumnsOfField>& fields) {
+  const std::vector<Rows>& blocks = average.blocks();
   BlockErrors errors;
   errors.frames = average.frames();
+  const Rows values = solve(average.mean());
   errors.error = Rows::Constant(values.rows(), values.cols(), nan);
   errors.correlation_time = errors.error;
-  const auto blocks = static_cast<double>(average.blocks().size());
-  if (blocks < fewest_independent) return errors;
-  const Jackknife jack = jackknife(average.blocks(), solve);
-  for (Eigen::Index row = 0; row < values.rows(); ++row) {
-    for (Eigen::Index column = 0; column < values.cols(); ++column) {
-      const double time = correlation_time(series_at(jack.pseudo_values, row, column), average.runs());
-      errors.correlation_time(row, column) = time * static_cast<double>(average.block_length());
-      // Not true for nan either.
-      if (blocks >= fewest_independent * time)
-        errors.error(row, column) = std::sqrt(time) * jack.error(row, column);
-    }
+  constexpr std::size_t fewest_blocks = 8;
+  const bool enough = blocks.size() >= fewest_blocks;
+  const PseudoValues jackknife = enough ? pseudo_values(blocks, solve) : PseudoValues{};
+  const auto length = static_cast<double>(average.block_length());
+  Eigen::Index begin = 0;
+  for (const ColumnsOfField& field : fields) {
+    errors.fields.push_back(enough ? errors_of(field, begin, jackknife, average.runs(), errors)
+                                   : FieldErrors{field, 0, {}, {}});
+    errors.fields.back().correlation.time *= length;
+    begin += field.count;
   }
+  errors.correlation_time *= length;
   return errors;
 }
 
@@ -108,14 +114,31 @@ Eigen::ArrayXd BlockErrors::effective_samples() const {
   return samples;
 }
 
+Rows BlockErrors::times_of_fields() const {
+  Rows times = Rows::Constant(error.rows(), static_cast<Eigen::Index>(fields.size()), nan);
+  for (Eigen::Index row = 0; row < error.rows(); ++row) {
+    Eigen::Index column = 0;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      double& slowest = times(row, static_cast<Eigen::Index>(i));
+      for (const Eigen::Index end = column + fields[i].field.count; column < end; ++column)
+        slowest = std::fmax(slowest, correlation_time(row, column));
+    }
+  }
+  return times;
+}
+
 void append_errors(const BlockErrors& errors, const std::vector<Column>& columns, Table& table) {
   for (const Column& column : columns)
     table.columns.push_back(
         {column.name + "_err", column.unit, "jackknife", "standard error of " + column.name});
   table.columns.push_back({"effective_samples", "1", "-",
                            "independent frames, of the quantity of this row that changes slowest"});
-  Rows rows(table.rows.rows(), table.rows.cols() + errors.error.cols() + 1);
-  rows << table.rows, errors.error, errors.effective_samples();
+  for (const FieldErrors& made : errors.fields)
+    table.columns.push_back({made.field.name + "_two_tau", "frames", "-",
+                             "correlation time 2 tau, of the slowest column of " + made.field.name});
+  const Rows times = errors.times_of_fields();
+  Rows rows(table.rows.rows(), table.rows.cols() + errors.error.cols() + 1 + times.cols());
+  rows << table.rows, errors.error, errors.effective_samples(), times;
   table.rows = std::move(rows);
 }
 

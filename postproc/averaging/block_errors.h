@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "averaging/error_decision.h"
 #include "averaging/time_average.h"
 
 namespace mikromakro {
@@ -10,30 +11,42 @@ namespace mikromakro {
 /// Solves columns (volumes x columns) from mean sums.
 using Solver = std::function<Rows(const Rows&)>;
 
+/// How the errors of a field were made; times are in frames.
+struct FieldErrors {
+  ColumnsOfField field;
+  Eigen::Index series = 0;  ///< that fluctuate
+  CorrelationTime correlation;
+  ErrorDecision decision;
+};
+
 /// One number per volume and column.
 struct BlockErrors {
   Rows error;             ///< standard error; nan where it cannot be known
-  Rows correlation_time;  ///< 2 tau_int, in frames; nan where there is no error
+  Rows correlation_time;  ///< 2 tau, in frames; nan where there is no error
   std::int64_t frames = 0;
+  std::vector<FieldErrors> fields;
 
-  /// frames/(2 tau) of the slowest column of each volume; nan where none is known.
+  /// frames/(2 tau) of the slowest column of each volume, of those with errors; nan where there is none.
   Eigen::ArrayXd effective_samples() const;
+  /// 2 tau of the slowest column of each field in each volume.
+  Rows times_of_fields() const;
   /// Whether any error is known.
   bool any() const { return error.isFinite().any(); }
 };
 
-/// Delete-one-block jackknife of what `solve` gives: for m blocks err^2 = 2 tau (m - 1)/m sum_i (q_i - mean
-/// q)^2 with q_i solved from the mean of all blocks but i. For quantities that are linear in the sums it is
-/// the standard error of the mean of the blocks; the factor is for blocks that depend on each other.
+/// Delete-one-block jackknife of what `solve` gives: the pseudo-values of m blocks are m q - (m - 1) q_i with
+/// q_i solved from the mean of all blocks but i. For quantities that are linear in the sums they are the
+/// means of the blocks. Of their variance s^2 (over m) the error is made: err^2 = 2 tau s^2/m/(1 - 2 tau/m),
+/// times the widening of the decision.
 ///
-/// 2 tau = 1 + 2 sum rho_k, the integrated correlation time in blocks, comes from the pseudo-values m q - (m
-/// - 1) q_i up to the lag of 1.5 times itself (Sokal's window), from blocks of the same run, and is taken as
-/// 1 where it comes out smaller. No error is given (nan) for fewer than 16 independent blocks, m < 16 * 2
-/// tau: the estimate of tau itself would be too small; nor for quantities that do not fluctuate, or that are
-/// undefined without some block.
-BlockErrors block_errors(const TimeAverage& average, const Solver& solve);
+/// 2 tau comes from the pseudo-values of all columns of a field in all volumes together (correlation_time.h),
+/// and so does the decision whether the field has errors (error_decision.h). Without errors (nan) are also
+/// quantities that do not fluctuate, or that are undefined without some block.
+BlockErrors block_errors(const TimeAverage& average, const Solver& solve,
+                         const std::vector<ColumnsOfField>& fields);
 
-/// Appends to a table a column <name>_err for each of `columns`, then effective_samples.
+/// Appends to a table a column <name>_err for each of `columns`, then effective_samples, then
+/// <field>_two_tau for each field.
 void append_errors(const BlockErrors& errors, const std::vector<Column>& columns, Table& table);
 
 }  // namespace mikromakro

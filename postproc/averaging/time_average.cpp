@@ -1,5 +1,7 @@
 #include "averaging/time_average.h"
 
+#include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace mikromakro {
@@ -14,6 +16,11 @@ void add_to(Rows& total, const Rows& sums, bool first) {
 }
 
 }  // namespace
+
+std::size_t suitable_blocks(std::size_t numbers) {
+  constexpr std::size_t fewest = 64, most = 1024, bytes = std::size_t{1} << 22U;
+  return std::clamp(std::bit_floor(bytes / sizeof(double) / std::max(numbers, std::size_t{1})), fewest, most);
+}
 
 /// What rounding left out of the total goes into it with the next frame (Kahan).
 void TimeAverage::add_to_total(const Rows& frame_sums) {

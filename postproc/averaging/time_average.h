@@ -48,4 +48,8 @@ class TimeAverage {
   std::int64_t block_length_ = 1;
 };
 
+/// As many blocks as suit frames of so many numbers: up to 1024, since a single series tells 2 tau only from
+/// many, fewer (64 at least) where they would take more than 4 MB.
+std::size_t suitable_blocks(std::size_t numbers);
+
 }  // namespace mikromakro

@@ -38,6 +38,12 @@ struct DiscContact {
   Eigen::Vector2d tangent() const { return {-normal[1], normal[0]}; }
 };
 
+/// How many of the columns side by side are of one field.
+struct ColumnsOfField {
+  std::string name;
+  Eigen::Index count = 0;
+};
+
 /// Names of the two directions: {"r", "phi"} or {"x", "y"}.
 using Axes = std::array<std::string, 2>;
 

@@ -20,10 +20,9 @@ void VelocityGradientFit::solve(const VolumeData& volumes, const ConstRowsRef& n
   if (r.size() == 0) return;
   try {
     const ExponentialProfile fit = fit_exponential({r, numbers.col(1), {}}, r[0]);
-    const double s = fit.s.value;
-    const Eigen::ArrayXd half = 0.5 * fit.v0.value * (-(r - r[0]) / s).exp();
-    columns.col(0) = -half * (1 / s + 1 / r);
-    columns.col(1) = -half * (1 / s - 1 / r);
+    const Eigen::ArrayXd half = 0.5 * fit.v0 * (-(r - r[0]) / fit.s).exp();
+    columns.col(0) = -half * (1 / fit.s + 1 / r);
+    columns.col(1) = -half * (1 / fit.s - 1 / r);
   } catch (const Error&) {
     // No such profile: the columns stay nan.
   }

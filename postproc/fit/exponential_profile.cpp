@@ -5,9 +5,7 @@
 #include <cmath>
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <vector>
 
-#include "fit/student_t.h"
 #include "io/error.h"
 
 namespace mikromakro {
@@ -15,9 +13,9 @@ namespace {
 
 constexpr int least_points = 3;
 constexpr int most_steps = 500;
-constexpr double confidence = 0.95;
 
 struct Points {
+  std::vector<Eigen::Index> used;
   Eigen::ArrayXd x;  // r - r_i
   Eigen::ArrayXd v;
   Eigen::ArrayXd weight;
@@ -36,7 +34,8 @@ Points finite_points(const ProfilePoints& all, double r_i) {
   }
   if ((all.v(used) == 0).all())
     throw run_failed("there is nothing to fit", "values that are not 0", "0 in every ring");
-  Points points{all.r(used) - r_i, all.v(used), Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(used.size()))};
+  Points points{used, all.r(used) - r_i, all.v(used),
+                Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(used.size()))};
   // Relative to the smallest error, so that the sums stay of the size of v^2.
   if (weighted) points.weight = (all.error(used).minCoeff() / all.error(used)).square();
   return points;
@@ -49,10 +48,8 @@ double sum_of_squares(const Points& points, const Parameters& p) {
   return (points.weight * (points.v - p[0] * (-p[1] * points.x).exp()).square()).sum();
 }
 
-// ln|v| is a straight line in r; weighted by v^2, since the logarithm stretches the small values.
-Parameters start(const Points& points) {
-  const double sign = (points.weight * points.v * points.v.abs()).sum() < 0 ? -1 : 1;
-  const Eigen::ArrayXd weight = (sign * points.v > 0).select(points.weight * points.v.square(), 0.0);
+// ln|v| is a straight line in r. Values of weight 0 may have any sign.
+Parameters straight_line(const Points& points, const Eigen::ArrayXd& weight, double sign) {
   const Eigen::ArrayXd logarithm = (sign * points.v > 0).select((points.v.abs()).log(), 0.0);
   const double sum = weight.sum();
   const double mean_x = (weight * points.x).sum() / sum;
@@ -62,19 +59,35 @@ Parameters start(const Points& points) {
   return {sign * std::exp(mean_l - slope * mean_x), -slope};
 }
 
+double sign_of(const Points& points) {
+  return (points.weight * points.v * points.v.abs()).sum() < 0 ? -1 : 1;
+}
+
+// Weighted by v^2, since the logarithm stretches the small values.
+Parameters start(const Points& points) {
+  const double sign = sign_of(points);
+  return straight_line(points, (sign * points.v > 0).select(points.weight * points.v.square(), 0.0), sign);
+}
+
+// Of v with the parameters.
+Eigen::MatrixX2d jacobian(const Points& points, const Parameters& p) {
+  Eigen::MatrixX2d jacobian(points.x.size(), 2);
+  const Eigen::ArrayXd decay = (-p[1] * points.x).exp();
+  jacobian.col(0) = decay;
+  jacobian.col(1) = -p[0] * points.x * decay;
+  return jacobian;
+}
+
 struct NormalEquations {
   Eigen::Matrix2d matrix;
   Eigen::Vector2d right;
 };
 
 NormalEquations normal_equations(const Points& points, const Parameters& p) {
-  Eigen::MatrixX2d jacobian(points.x.size(), 2);
-  const Eigen::ArrayXd decay = (-p[1] * points.x).exp();
-  jacobian.col(0) = decay;
-  jacobian.col(1) = -p[0] * points.x * decay;
-  const Eigen::VectorXd residual = points.v - p[0] * decay;
+  const Eigen::MatrixX2d change = jacobian(points, p);
+  const Eigen::VectorXd residual = points.v - p[0] * (-p[1] * points.x).exp();
   const auto weighted = points.weight.matrix().asDiagonal();
-  return {jacobian.transpose() * weighted * jacobian, jacobian.transpose() * weighted * residual};
+  return {change.transpose() * weighted * change, change.transpose() * weighted * residual};
 }
 
 Parameters levenberg_marquardt(const Points& points) {
@@ -103,26 +116,49 @@ Parameters levenberg_marquardt(const Points& points) {
                    fmt::format("v0 = {}, s = {} after {} steps", p[0], 1 / p[1], most_steps));
 }
 
+// How p changes with v where rows of `of_p` are d f/d p, f what is fitted, and f changes by `of_v` with v.
+Eigen::Matrix2Xd change_with_v(const Eigen::MatrixX2d& of_p, const Eigen::ArrayXd& weight,
+                               const Eigen::ArrayXd& of_v) {
+  const Eigen::Matrix2Xd weighted = of_p.transpose() * weight.matrix().asDiagonal();
+  return (weighted * of_p).inverse() * weighted * of_v.matrix().asDiagonal();
+}
+
+struct Fitted {
+  Parameters p;
+  Eigen::Matrix2Xd change;  // of p with v
+};
+
+Fitted fit_velocity(const Points& points) {
+  const Parameters p = levenberg_marquardt(points);
+  return {p, change_with_v(jacobian(points, p), points.weight, Eigen::ArrayXd::Ones(points.v.size()))};
+}
+
+Fitted fit_logarithm(const Points& points, bool weighted) {
+  const double sign = sign_of(points);
+  if ((sign * points.v <= 0).any())
+    throw run_failed("log v is not defined in all rings", "values of one sign, or a --range where they are",
+                     fmt::format("{} to {}", points.v.minCoeff(), points.v.maxCoeff()));
+  const Eigen::ArrayXd weight = weighted ? Eigen::ArrayXd(points.weight * points.v.square()) : points.weight;
+  const Parameters p = straight_line(points, weight, sign);
+  Eigen::MatrixX2d of_p(points.x.size(), 2);
+  of_p.col(0).setConstant(1 / p[0]);
+  of_p.col(1) = -points.x;
+  return {p, change_with_v(of_p, weight, 1 / points.v)};
+}
+
 }  // namespace
 
-ExponentialProfile fit_exponential(const ProfilePoints& all, double r_i) {
+ExponentialProfile fit_exponential(const ProfilePoints& all, double r_i, FitOf of) {
   const Points points = finite_points(all, r_i);
-  const Parameters p = levenberg_marquardt(points);
+  const auto [p, change] =
+      of == FitOf::v ? fit_velocity(points) : fit_logarithm(points, all.error.size() > 0);
+  const double s = 1 / p[1];
   if (!(p[1] > 0) || p[0] == 0) {
     throw run_failed("the profile does not decay", "v0 != 0 and s > 0",
-                     fmt::format("v0 = {}, s = {}", p[0], 1 / p[1]));
+                     fmt::format("v0 = {}, s = {}", p[0], s));
   }
-  const auto n = static_cast<int>(points.x.size());
-  const Eigen::Matrix2d inverse = normal_equations(points, p).matrix.inverse();
-  const double variance = sum_of_squares(points, p) / (n - 2);
-  const double t = student_t(confidence, n - 2);
-  const double s = 1 / p[1];
-  const double half_v0 = t * std::sqrt(variance * inverse(0, 0));
-  const double half_s = t * std::sqrt(variance * inverse(1, 1)) * s * s;  // ds = s^2 dq
-  ExponentialProfile profile;
-  profile.v0 = {p[0], p[0] - half_v0, p[0] + half_v0};
-  profile.s = {s, s - half_s, s + half_s};
-  profile.points = n;
+  ExponentialProfile profile{p[0], s, 0, points.used, change};
+  profile.change.row(1) *= -s * s;
   profile.residual_rms = std::sqrt((points.v - p[0] * (-p[1] * points.x).exp()).square().mean());
   return profile;
 }

@@ -2,21 +2,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace mikromakro {
 
-/// A fitted parameter and its confidence interval.
-struct Estimate {
-  double value = 0;
-  double low = 0;
-  double high = 0;
-};
-
 struct ExponentialProfile {
-  Estimate v0;  ///< velocity at R_i, in the unit of v
-  Estimate s;   ///< width of the shear zone, in the unit of r
-  int points = 0;
-  double residual_rms = 0;  ///< sqrt(mean (v - fit)^2), in the unit of v
+  double v0 = 0;                   ///< velocity at R_i, in the unit of v
+  double s = 0;                    ///< width of the shear zone, in the unit of r
+  double residual_rms = 0;         ///< sqrt(mean (v - fit)^2), in the unit of v
+  std::vector<Eigen::Index> used;  ///< which of the points
+  Eigen::Matrix2Xd change;         ///< of v0 and of s (rows) with v of each of these
 };
 
 /// Points of a profile; `error` (standard error of v) may be empty: then all count the same. Points where v
@@ -27,10 +22,13 @@ struct ProfilePoints {
   Eigen::ArrayXd error;
 };
 
-/// Least squares of v(r) = v0 exp(-(r - r_i)/s) (seed, Bild 5), weights 1/error^2, by Levenberg-Marquardt. v0
-/// may be negative (a wheel that turns clockwise). 95 % intervals v +- t C^(1/2), C = S/(n - 2) (J^T W J)^-1
-/// with S the weighted sum of squares: errors count relative to each other, their common size comes from the
-/// scatter. Throws (failed run): fewer than 3 points, no convergence to a decaying profile.
-ExponentialProfile fit_exponential(const ProfilePoints& points, double r_i);
+/// Of what the squares are least.
+enum class FitOf { v, log_v };
+
+/// Least squares of v(r) = v0 exp(-(r - r_i)/s) (seed, Bild 5), weights 1/error^2, by Levenberg-Marquardt; or
+/// of the straight line log v, weights (v/error)^2. v0 may be negative (a wheel that turns clockwise). Throws
+/// (failed run): fewer than 3 points, no convergence to a decaying profile, a logarithm of values that have
+/// not one sign.
+ExponentialProfile fit_exponential(const ProfilePoints& points, double r_i, FitOf of = FitOf::v);
 
 }  // namespace mikromakro

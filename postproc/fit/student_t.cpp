@@ -6,14 +6,14 @@
 namespace mikromakro {
 namespace {
 
-double two_sided_tail(double t, int freedom) {
+double two_sided_tail(double t, double freedom) {
   const double x = freedom / (freedom + t * t);
   return Eigen::numext::betainc(0.5 * freedom, 0.5, x);
 }
 
 }  // namespace
 
-double student_t(double confidence, int freedom) {
+double student_t(double confidence, double freedom) {
   const double tail = 1 - confidence;
   double low = 0;
   double high = 1;

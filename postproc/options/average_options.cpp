@@ -2,20 +2,19 @@
 
 #include <fmt/format.h>
 
-#include "averaging/block_errors.h"
+#include "options/error_report.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {
 namespace {
 
 // Adds the errors to the table, and to the lines above it what they rest on.
-void add_errors(const Averager& averager, const TimeAverage& sums, Table& table, Preamble& lines) {
-  const BlockErrors errors = block_errors(sums, [&](const Rows& mean) { return averager.values(mean); });
+BlockErrors add_errors(const Averager& averager, const TimeAverage& sums, Table& table, Preamble& lines) {
+  BlockErrors errors = block_errors(
+      sums, [&](const Rows& mean) { return averager.values(mean); }, averager.columns_of_fields());
   append_errors(errors, averager.columns(), table);
-  const std::string blocks = fmt::format("{} blocks of {} frames", sums.blocks().size(), sums.block_length());
-  lines.emplace_back("errors",
-                     errors.any() ? fmt::format("standard errors from {}, nan where they are too few", blocks)
-                                  : fmt::format("nan: {} are too few for standard errors", blocks));
+  describe_errors(errors, sums, lines);
+  return errors;
 }
 
 }  // namespace
@@ -25,7 +24,8 @@ void add_average_options(CLI::App& app, AverageOptions& options) {
   add_weight_option(app, options.volumes);
   add_field_options(app, options.fields);
   app.add_option("--error-blocks", options.error_blocks,
-                 "blocks of frames that are kept for standard errors, default 64; 0 for no errors")
+                 "blocks of frames that are kept for standard errors, default 64, or up to 1024 where they "
+                 "take less than 4 MB; 0 for no errors")
       ->transform(whole_number(0, 100000));
   app.add_option("--out", options.out,
                  "FILE.csv, .h5, .vtkhdf or .hdf (both ParaView), or - for CSV on standard output (default); "
@@ -36,6 +36,15 @@ void add_average_options(CLI::App& app, AverageOptions& options) {
 
 std::unique_ptr<const Averager> make_averager(const AverageOptions& options) {
   return make_averager(options.volumes, fields_of(options.fields, options.volumes));
+}
+
+std::size_t error_blocks(const AverageOptions& options, const Averager& averager) {
+  return options.error_blocks.value_or(
+      suitable_blocks(static_cast<std::size_t>(averager.volume_count() * averager.sum_count())));
+}
+
+TimeAverage no_sums(const AverageOptions& options, const Averager& averager) {
+  return TimeAverage(error_blocks(options, averager));
 }
 
 void Averaged::add(std::int64_t step, const Rows& frame_sums, std::int64_t run) {
@@ -49,8 +58,8 @@ void describe_frames(const Averaged& averaged, Preamble& lines) {
                                            averaged.range.first_step, averaged.range.last_step));
 }
 
-void write_averages(const AverageOptions& options, const Averager& averager, const Averaged& averaged,
-                    Preamble lines, TableOutputs& outputs) {
+BlockErrors write_averages(const AverageOptions& options, const Averager& averager, const Averaged& averaged,
+                           Preamble lines, TableOutputs& outputs) {
   const Rows mean = averaged.sums.mean();
   Table table = averager.solve(mean);
   describe_fields(options.fields, lines);
@@ -58,8 +67,10 @@ void write_averages(const AverageOptions& options, const Averager& averager, con
   describe_volumes(options.volumes, lines);
   describe_numbers(options.fields, lines);
   for (const std::string& note : averager.notes(mean)) lines.emplace_back("note", note);
-  if (options.error_blocks > 0) add_errors(averager, averaged.sums, table, lines);
+  BlockErrors errors;
+  if (options.error_blocks != 0) errors = add_errors(averager, averaged.sums, table, lines);
   outputs.commit(lines, table, ring_centre(options.volumes));
+  return errors;
 }
 
 }  // namespace mikromakro

@@ -4,9 +4,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "averaging/block_errors.h"
 #include "averaging/time_average.h"
 #include "options/field_options.h"
 #include "options/table_outputs.h"
@@ -18,13 +20,18 @@ struct AverageOptions {
   VolumeOptions volumes;
   FieldChoice fields;
   std::vector<std::string> out;
-  std::size_t error_blocks = 64;
+  std::optional<std::size_t> error_blocks;  ///< else suitable_blocks
 };
 
 void add_average_options(CLI::App& app, AverageOptions& options);
 
 /// The averager that the options ask for. Throws on options that contradict each other or have no meaning.
 std::unique_ptr<const Averager> make_averager(const AverageOptions& options);
+
+/// Sums without frames, with the blocks for errors that the options want.
+TimeAverage no_sums(const AverageOptions& options, const Averager& averager);
+/// How many blocks that are.
+std::size_t error_blocks(const AverageOptions& options, const Averager& averager);
 
 /// Time steps of the first and the last frame.
 struct FrameRange {
@@ -43,8 +50,8 @@ struct Averaged {
 void describe_frames(const Averaged& averaged, Preamble& lines);
 
 /// Solves the table, with errors unless the options have none, and writes it out below `lines`, to which all
-/// that the options say is added. There must be a frame.
-void write_averages(const AverageOptions& options, const Averager& averager, const Averaged& averaged,
-                    Preamble lines, TableOutputs& outputs);
+/// that the options say is added. There must be a frame. What the errors rest on is given back.
+BlockErrors write_averages(const AverageOptions& options, const Averager& averager, const Averaged& averaged,
+                           Preamble lines, TableOutputs& outputs);
 
 }  // namespace mikromakro

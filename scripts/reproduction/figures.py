@@ -102,7 +102,8 @@ def bild5():
         fits = [profiles.fit(one, 60) for one in densities(law)]
         nu = np.array([profiles.solid_fractions(one)[1] for one in densities(law)])
         middle = np.array([one["v0_scaled"] for one in fits])
-        interval = np.abs([[one["v0_scaled_low"], one["v0_scaled_high"]] for one in fits] - middle[:, None]).T
+        # Without an interval: None, which becomes nan.
+        interval = np.abs(np.array([[one["v0_scaled_low"], one["v0_scaled_high"]] for one in fits], dtype=float) - middle[:, None]).T
         right.errorbar(nu, middle, interval, fmt=marker, mfc=face, mec="k", ecolor="k", ms=5, label=f"$v_0/(\\Omega R_i)$, {LAW_NAMES[law]}")
         s = np.array([one["s"] for one in fits])
         right.plot(nu, 20 * s, "v" if face == "k" else "^", color="0.5", mfc=face if face == "w" else "0.5", ms=5, label=f"$s$ / 50 mm, {LAW_NAMES[law]}")
@@ -114,8 +115,8 @@ def bild5():
     sheet.save_picture(drawing, "bild5")
     sheet.save_numbers("bild5", kept, ["exponential fits of v_phi on 60 rings"])
     return ("Left: mean velocity over that of the rigid rotation, run B under Eq. 1, with 20 and 60 rings, and the exponential fitted to it beside the "
-            "paper's. Right: both constants of the fit for all densities and both laws; bars are intervals of 95 % of the fit, not the scatter "
-            "between runs. Where the wheel has lost its contacts, or only slips on a frozen packing, an exponential has no meaning.")
+            "paper's. Right: both constants of the fit for all densities and both laws; bars are intervals of 95 % from the blocks of frames of a run; "
+            "packings and choices of the fit differ by more. Where the wheel has lost its contacts, or only slips on a frozen packing, an exponential has no meaning.")
 
 
 def stress_like(name, tensor, unit, sign):

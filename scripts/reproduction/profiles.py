@@ -60,12 +60,31 @@ def box(simulation):
                                           "radius", "--fields", "all", "--kn", "1e5", "--histogram", "36", "--quiet")))
 
 
+# Count of the rings and weight: tables whose fits are choices beside that of 60 rings. The paper's is of 20 rings by centres.
+CHOICES = ((20, "sliced"), (30, "sliced"), (20, "centre"))
+
+
+def velocity_file(simulation, count, weight="sliced", frames=""):
+    """The velocity over rings, in a file with its blocks of frames (`blocks_of`) beside it."""
+    path = rings_file(simulation, count, weight, frames).replace("rings_", "velocity_")
+    if not os.path.exists(path) or not os.path.exists(blocks_of(path)):
+        run("average", simulation.snapshots, "--rings", str(R_I), str(R_O), str(count), "--height", str(HEIGHT), "--bulk-types", "1", "2", "--fields", "velocity",
+            "--weight", weight, *(["--frames", frames] if frames else []), "--quiet", "--out", path, "--blocks", blocks_of(path))
+    return path
+
+
+def blocks_of(path):
+    return path.replace("velocity_", "blocks_")
+
+
 def fit(simulation, count, omega=OMEGA, **average):
-    """The exponential v_0 exp(-(r - R_i)/s) of v_phi (Bild 5), with its interval of 95 %."""
-    rings(simulation, count, **average)
-    rows = rings_file(simulation, count, **average)
-    path = rows.replace("rings_", "fit_").replace(".csv", ".json")
-    return json.loads(cached(path, lambda: run("fit", rows, "--ri", str(R_I), "--omega", str(omega), "--json")))
+    """The exponential v_0 exp(-(r - R_i)/s) of v_phi (Bild 5): its standard errors and intervals of 95 % from blocks of frames (None where there are too
+    few), and its least and greatest values by other choices of range, weights and rings."""
+    rows = velocity_file(simulation, count, **average)
+    path = rows.replace("velocity_", "fit_").replace(".csv", "_choices.json")
+    others = [velocity_file(simulation, *choice, frames=average.get("frames", "")) for choice in CHOICES]
+    return json.loads(cached(path, lambda: run("fit", rows, *(one for one in others if one != rows), "--blocks", blocks_of(rows), "--ri", str(R_I),
+                                               "--omega", str(omega), "--json")))
 
 
 def wheel(simulation):

@@ -6,7 +6,7 @@ import numpy as np
 
 from reproduction import profiles, thresholds
 from reproduction.figures import LAW_NAMES, run_b
-from reproduction.profiles import HEIGHT, K_N, R_I, R_O, from_wheel
+from reproduction.profiles import HEIGHT, K_N, OMEGA, R_I, R_O, from_wheel
 from reproduction.simulations import isotropic
 from reproduction.study import LADDERS, LAWS, PITCHES, RUNS, SEEDS, ladder, pitches, seeds, slow_run
 
@@ -20,6 +20,7 @@ class Quantity:
     value: object  # run -> number
     remark: str
     digits: int = 3
+    choices: object = None  # run -> the same by each choice of the fit
 
 
 @dataclasses.dataclass
@@ -36,10 +37,21 @@ def over_seeds(values):
     return np.mean(values), np.std(values, ddof=1) / np.sqrt(len(values))
 
 
+def away(mean, error, paper):
+    """How far the paper's value is, in the errors of the packings."""
+    return f"{(mean - paper) / error:+.1f} statistical"
+
+
 def cell(mean, error, paper, digits):
     """Ours with its error, and its distance from the paper's value in such errors."""
-    away = "" if paper is None else f" ({(mean - paper) / error:+.1f})"
-    return f"{mean:.{digits}f} ± {error:.{digits}f}{away}"
+    return f"{mean:.{digits}f} ± {error:.{digits}f}" + ("" if paper is None else f" ({away(mean, error, paper)})")
+
+
+def cell_of_choices(mean, error, paper, digits, low, high):
+    """The same of a quantity that depends on choices, beside whose range the error alone says little."""
+    outside = max(low - paper, paper - high)
+    beside = "within the choices" if outside <= 0 else f"{outside:.{digits}f} outside of the choices"
+    return f"{mean:.{digits}f} ± {error:.{digits}f}, by choices {low:.{digits}f} to {high:.{digits}f} ({away(mean, error, paper)}; the paper's is {beside})"
 
 
 def rings(run):
@@ -56,10 +68,21 @@ def constant_part(columns):
     return zone(columns, 8, 1e3 * (R_O - R_I) - 8)
 
 
-def gradient_at_wheel(run, sign):
+def gradient_of_fit(v0, s, sign):
     """Of v0 exp(-(r - R_i)/s) at R_i: (dv/dr -+ v/r)/2."""
-    one = profiles.fit(run, 60)
-    return -0.5 * (one["v0"] / one["s"] + sign * one["v0"] / R_I)
+    return -0.5 * (v0 / s + sign * v0 / R_I)
+
+
+def of_fit(name, paper, value, remark, digits=3):
+    """A quantity of the fit's v_0 and s."""
+    def made(run):
+        fit = profiles.fit(run, 60)
+        return value(fit["v0"], fit["s"])
+
+    def by_choices(run):
+        return [value(one["v0"], one["s"]) for one in profiles.fit(run, 60)["choices"].values() if one["v0"] is not None]
+
+    return Quantity(name, paper, made, remark, digits, by_choices)
 
 
 def scatter(values):
@@ -83,10 +106,11 @@ def stiffness_slope(run):
 
 
 QUANTITIES = (
-    Quantity("v0/(Omega R_i)", 0.645, lambda run: profiles.fit(run, 60)["v0_scaled"], "exponential on 60 rings"),
-    Quantity("s (mm)", 12.7, lambda run: 1e3 * profiles.fit(run, 60)["s"], "the same", 1),
-    Quantity("D_rphi at R_i (1/s)", -0.294, lambda run: gradient_at_wheel(run, 1), "of the fit; the paper's is that of its fit"),
-    Quantity("W_rphi at R_i (1/s)", -0.230, lambda run: gradient_at_wheel(run, -1), "the same"),
+    of_fit("v0/(Omega R_i)", 0.645, lambda v0, s: v0 / (OMEGA * R_I),
+           "exponential on 60 rings, least squares of v; choices of range, of v or log v, weights, 20 to 60 rings, centres or slices"),
+    of_fit("s (mm)", 12.7, lambda v0, s: 1e3 * s, "the same", 1),
+    of_fit("D_rphi at R_i (1/s)", -0.294, lambda v0, s: gradient_of_fit(v0, s, 1), "of the fit; the paper's is that of its fit"),
+    of_fit("W_rphi at R_i (1/s)", -0.230, lambda v0, s: gradient_of_fit(v0, s, -1), "the same"),
     Quantity("scatter of tr sigma over r", None, pressure_scatter, "rms over mean, 8 mm from the rings on; the paper: nearly constant"),
     Quantity("scatter of r^2 sigma_phir over r", None, lambda run: scatter(torque_of_stress(run)), "the same; 0 by balance of the torque"),
     Quantity("torque on the outer ring over that on the wheel", -1, lambda run: profiles.wheel(run)[:, 2].mean() / profiles.wheel(run)[:, 1].mean(),
@@ -99,8 +123,17 @@ QUANTITIES = (
 
 
 def cells(run, law):
-    """By quantity, of one of the runs A, B, C."""
-    return {one.name: cell(*over_seeds([one.value(seed) for seed in seeds(run, law)]), one.paper, one.digits) for one in QUANTITIES}
+    """By quantity, of one of the runs A, B, C; choices are means over the seeds of the least and the greatest."""
+    made = {}
+    for one in QUANTITIES:
+        ours = over_seeds([one.value(seed) for seed in seeds(run, law)])
+        if one.choices is None:
+            made[one.name] = cell(*ours, one.paper, one.digits)
+        else:
+            choices = [one.choices(seed) for seed in seeds(run, law)]
+            made[one.name] = cell_of_choices(*ours, one.paper, one.digits, np.mean([min(values) for values in choices]),
+                                             np.mean([max(values) for values in choices]))
+    return made
 
 
 def column(run, law):
@@ -176,18 +209,36 @@ def changes_of_run_b():
     yield "second half of the snapshots only", as_it_is, {"frames": "60:"}
 
 
+def with_errors(fit, key, scale, digits):
+    """A value of a fit with its standard error, and its range by choices."""
+    value, error, low, high = (None if one is None else scale * one for one in (fit[key + end] for end in ("", "_err", "_least", "_greatest")))
+    return f"{value:.{digits}f}" + ("" if error is None else f" ± {error:.{digits}f}") + f" ({low:.{digits}f} to {high:.{digits}f})"
+
+
 def causes():
-    """v_0 and s of each, with half of the fits' intervals of 95 %."""
+    """v_0 and s of each, with the standard errors of this one run and the ranges by choices."""
     rows = []
     for name, run, how in changes_of_run_b():
         fit = profiles.fit(run, **{"count": 60, **how})
-        (v0, v0_error), (s, s_error) = ((fit[key], (fit[key + "_high"] - fit[key + "_low"]) / 2) for key in ("v0_scaled", "s"))
-        rows.append([f"v0/(Omega R_i); s (mm), run B, Eq. 1: {name}", "0.645; 12.7", f"{v0:.3f} ± {v0_error:.3f}; {1e3 * s:.1f} ± {1e3 * s_error:.1f}",
-                     "seed 1; half of the interval of 95 % of the fit" if name == "as it is" else "the same"])
-    return rows
+        rows.append([f"v0/(Omega R_i); s (mm), run B, Eq. 1: {name}", "0.645; 12.7", f"{with_errors(fit, 'v0_scaled', 1, 3)}; {with_errors(fit, 's', 1e3, 1)}",
+                     "seed 1; standard error from blocks of frames of this run, in brackets the range by choices of the fit" if name == "as it is" else "the same"])
+    return [*rows, between_packings()]
+
+
+def chi_square(fits, key):
+    """Per degree of freedom, of the values of packings about their mean, in the errors of each run: 1 where packings do not differ."""
+    values, errors = (np.array([fit[key + end] for fit in fits], dtype=float) for end in ("", "_err"))
+    mean = np.average(values, weights=errors**-2)
+    return np.sum(((values - mean) / errors) ** 2) / (len(fits) - 1)
+
+
+def between_packings():
+    fits = [profiles.fit(run, 60) for run in seeds("B", "viscous")]
+    return ["chi^2 per degree of freedom of v0; s of the packings, run B, Eq. 1", "-", "; ".join(f"{chi_square(fits, key):.1f}" for key in ("v0", "s")),
+            f"{len(fits)} seeds, in the standard errors of one run each; above 1: packings differ by more than one run can know"]
 
 
 GROUPS["trends"] = Group("the table's trends", [run for law in LAWS for run in (run_b(law), *ladder(LAW_NAMES[law]))], trends)
-GROUPS["causes"] = Group("the table's causes: what v_0 and s depend on", [run for _, run, _ in changes_of_run_b()], causes)
+GROUPS["causes"] = Group("the table's causes: what v_0 and s depend on", [*(run for _, run, _ in changes_of_run_b()), seeds("B", "viscous")[-1]], causes)
 GROUPS["g2"] = Group("the table's g_2", SAMPLES, fabric_factor)
 GROUPS["critical_densities"] = Group("the table's thresholds", thresholds.simulations(), thresholds.rows)

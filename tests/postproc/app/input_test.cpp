@@ -127,7 +127,8 @@ TEST(SeveralRuns, AreNotMixedInTheBlocksOfErrors) {
   std::string runs;
   for (int run = 0; run < 17; ++run) runs += further_run(folder, run);
   const std::string arguments = "average " + runs + rings + " --threads 1 --error-blocks ";
-  EXPECT_NE(run_program(arguments + "64").out.find("# errors: standard errors from 34 blocks of 1 frames"),
+  EXPECT_NE(run_program(arguments + "64")
+                .out.find("# errors: standard errors by the jackknife of 34 blocks of 1 frames"),
             std::string::npos);
   // nan, since the mean of every run is the same.
   const std::string few = run_program(arguments + "16").out;

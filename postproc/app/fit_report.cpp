@@ -1,0 +1,157 @@
+#include "app/fit_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/json_object.h"
+
+namespace mikromakro {
+namespace {
+
+// v0, s or v0/(Omega R_i), with its error, and the choices by which it is least and greatest.
+struct Estimate {
+  std::string name, key, unit;
+  double value = 0, error = 0, half_width = 0;
+  std::string least_by = {}, greatest_by = {};
+  double least = 0, greatest = 0;
+};
+
+void take_range(const std::vector<FitChoice>& choices, double FitChoice::*of, double scale,
+                Estimate& estimate) {
+  estimate.least = estimate.greatest = std::nan("");
+  for (const FitChoice& choice : choices) {
+    const double value = choice.*of / scale;
+    if (std::isnan(value)) continue;
+    if (!(value >= estimate.least)) {
+      estimate.least = value;
+      estimate.least_by = choice.name;
+    }
+    if (!(value <= estimate.greatest)) {
+      estimate.greatest = value;
+      estimate.greatest_by = choice.name;
+    }
+  }
+}
+
+std::vector<Estimate> estimates(const FitReport& report) {
+  const ExponentialProfile& fitted = report.fitted;
+  const FitErrors& errors = report.errors;
+  const double scale = report.scale, size = std::abs(scale);
+  std::vector<Estimate> all(2);
+  all[0] = {"v0", "v0", report.unit, fitted.v0, errors.error[0], errors.half_width[0]};
+  all[1] = {"s", "s", "m", fitted.s, errors.error[1], errors.half_width[1]};
+  take_range(report.choices, &FitChoice::v0, 1, all[0]);
+  take_range(report.choices, &FitChoice::s, 1, all[1]);
+  all.push_back({"v0/(Omega R_i)", "v0_scaled", "", fitted.v0 / scale, errors.error[0] / size,
+                 errors.half_width[0] / size});
+  take_range(report.choices, &FitChoice::v0, scale, all[2]);
+  return all;
+}
+
+void print_line(const Estimate& one, bool at_most, bool chosen) {
+  const std::string unit = one.unit.empty() ? "" : " " + one.unit;
+  fmt::print("{} = {:.6g}", one.name, one.value);
+  if (!std::isnan(one.error))
+    fmt::print(" +- {:.2g}{} ({}95 %: {:.6g} to {:.6g})", one.error, unit, at_most ? "at most; " : "",
+               one.value - one.half_width, one.value + one.half_width);
+  else
+    fmt::print("{}", unit);
+  if (chosen) fmt::print("; by choices {:.4g} to {:.4g}", one.least, one.greatest);
+  fmt::print("\n");
+}
+
+void print_errors(const FitErrors& errors) {
+  fmt::print("errors: {}", errors.method);
+  if (!errors.remark.empty()) fmt::print(": {}", errors.remark);
+  if (!std::isnan(errors.two_tau))
+    fmt::print(", 2 tau = {:.3g} +- {:.2g} frames", errors.two_tau, errors.two_tau_error);
+  if (!std::isnan(errors.freedom))
+    fmt::print(", {:.3g} effective samples, {:.3g} degrees of freedom", errors.samples, errors.freedom);
+  if (!std::isnan(errors.correlation)) fmt::print("; correlation of v0 and s {:.2f}", errors.correlation);
+  fmt::print("\n");
+}
+
+void print_choices(const FitReport& report, const std::vector<Estimate>& all) {
+  const auto made = std::count_if(report.choices.begin(), report.choices.end(),
+                                  [](const FitChoice& choice) { return !std::isnan(choice.v0); });
+  fmt::print("choices: {} fits", made);
+  for (std::size_t i = 0; i < 2; ++i)
+    fmt::print("; least {} by {}, greatest by {}", all[i].name, all[i].least_by, all[i].greatest_by);
+  fmt::print("\n");
+}
+
+void add(const Estimate& one, JsonObject& json) {
+  json.add(one.key, one.value);
+  json.add(one.key + "_err", one.error);
+  json.add(one.key + "_low", one.value - one.half_width);
+  json.add(one.key + "_high", one.value + one.half_width);
+  json.add(one.key + "_least", one.least);
+  json.add(one.key + "_greatest", one.greatest);
+}
+
+JsonObject errors_json(const FitErrors& errors) {
+  JsonObject json;
+  json.add("method", errors.method);
+  json.add("remark", errors.remark);
+  json.add("covariance", errors.correlation * errors.error[0] * errors.error[1]);
+  json.add("two_tau", errors.two_tau);
+  json.add("two_tau_err", errors.two_tau_error);
+  json.add("effective_samples", errors.samples);
+  json.add("degrees_of_freedom", errors.freedom);
+  return json;
+}
+
+JsonObject choices_json(const std::vector<FitChoice>& choices) {
+  JsonObject json;
+  for (const FitChoice& choice : choices) {
+    JsonObject one;
+    one.add("v0", choice.v0);
+    one.add("s", choice.s);
+    json.add(choice.name, one);
+  }
+  return json;
+}
+
+std::string of_what(const FitReport& report) {
+  return fmt::format("{}{}{}", report.way.of == FitOf::v ? "" : "log ", report.column,
+                     report.way.by_errors ? ", weights by errors" : "");
+}
+
+}  // namespace
+
+void print_json(const FitReport& report) {
+  JsonObject json;
+  for (const Estimate& one : estimates(report)) add(one, json);
+  json.add("r_i", report.r_i);
+  json.add("omega", report.omega);
+  json.add("fit_of", of_what(report));
+  json.add("rings", static_cast<std::int64_t>(report.fitted.used.size()));
+  json.add("range", std::vector<double>{report.first_r, report.last_r});
+  json.add("residual_rms", report.fitted.residual_rms);
+  json.add("residuals_over_errors", report.residuals_over_errors);
+  json.add("errors", errors_json(report.errors));
+  json.add("choices", choices_json(report.choices));
+  fmt::print("{}\n", json.text());
+}
+
+void print_text(const FitReport& report) {
+  fmt::print(
+      "{}(r) = v0 exp(-(r - R_i)/s), R_i = {:.6g} m, least squares of {}, {} rings, r = {:.6g} to {:.6g} m\n",
+      report.column, report.r_i, of_what(report), report.fitted.used.size(), report.first_r, report.last_r);
+  const std::vector<Estimate> all = estimates(report);
+  const bool chosen = report.choices.size() > 1;  // else all was said
+  const bool at_most = !std::isnan(report.errors.error[0]) && std::isnan(report.errors.freedom);
+  for (const Estimate& one : all)
+    if (!std::isnan(one.value)) print_line(one, at_most, chosen);
+  print_errors(report.errors);
+  if (chosen) print_choices(report, all);
+  fmt::print("rms of the residuals = {:.6g} {}", report.fitted.residual_rms,
+             report.unit.empty() ? "(the table does not tell the unit)" : report.unit);
+  if (!std::isnan(report.residuals_over_errors))
+    fmt::print(", {:.2g} of the rings' errors", report.residuals_over_errors);
+  fmt::print("\n");
+}
+
+}  // namespace mikromakro

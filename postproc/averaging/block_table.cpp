@@ -1,0 +1,108 @@
+#include "averaging/block_table.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace mikromakro {
+namespace {
+
+constexpr Eigen::Index own_columns = 3;
+
+// The rows of one block.
+void put(const Rows& solved, const Eigen::Array3d& own, Eigen::Index block, Rows& rows) {
+  auto part = rows.middleRows(block * solved.rows(), solved.rows());
+  part.leftCols(own_columns).rowwise() = own.transpose();
+  part.rightCols(solved.cols()) = solved;
+}
+
+// The numbers of one block, in all its volumes.
+double of_block(const CsvTable& blocks, const Eigen::ArrayXd& column, Eigen::Index block,
+                Eigen::Index volumes) {
+  const auto part = column.segment(block * volumes, volumes);
+  constexpr double most = 1e15;  // whole numbers are exact up to there
+  if (!(part[0] >= 0 && part[0] <= most && part[0] == std::floor(part[0])))
+    throw bad_input(blocks.row_place(block * volumes), "no number of a block, a run or frames",
+                    "a whole number", fmt::format("{}", part[0]));
+  for (Eigen::Index i = 1; i < volumes; ++i) {
+    if (part[i] != part[0])
+      throw bad_input(blocks.row_place(block * volumes + i), "a block of other volumes than the table",
+                      fmt::format("{} rows of the same block, run and frames", volumes),
+                      fmt::format("{} after {}", part[i], part[0]));
+  }
+  return part[0];
+}
+
+void check_same(const CsvTable& blocks, const CsvTable& table, const std::string& name) {
+  const Eigen::ArrayXd here = blocks.column(name), there = table.column(name);
+  for (Eigen::Index i = 0; i < table.rows(); ++i) {
+    if (here[i] != there[i] && !(std::isnan(here[i]) && std::isnan(there[i])))
+      throw bad_input(blocks.row_place(i), fmt::format("the blocks are not those of {}", table.file()),
+                      fmt::format("{} = {} of all frames as there", name, there[i]),
+                      fmt::format("{}", here[i]));
+  }
+}
+
+void check_block_table(const CsvTable& blocks, const std::string& column, const CsvTable& table) {
+  if (!blocks.has("block") || !blocks.has("run") || !blocks.has("frames"))
+    throw bad_input({blocks.file()}, "the file has no blocks of frames", "one of average --blocks",
+                    "no columns block, run, frames");
+  if (blocks.rows() % table.rows() != 0 || blocks.rows() < 3 * table.rows())
+    throw bad_input({blocks.file()}, fmt::format("the blocks are not those of {}", table.file()),
+                    fmt::format("three times {} rows or more", table.rows()),
+                    fmt::format("{}", blocks.rows()));
+  for (const std::string_view name : {"r_inner", "r_outer", "phi_begin"})
+    if (table.has(name)) check_same(blocks, table, std::string(name));
+  check_same(blocks, table, "r");
+  check_same(blocks, table, column);
+}
+
+}  // namespace
+
+Table block_table(const Averager& averager, const TimeAverage& average) {
+  const std::vector<Rows>& blocks = average.blocks();
+  const auto count = static_cast<Eigen::Index>(blocks.size());
+  if (count < 2) throw run_failed("too few frames for --blocks", "two frames or more", "one");
+  Table table = averager.solve(average.mean());
+  const Rows all = table.rows;
+  table.columns.insert(table.columns.begin(), {{"block", "-", "-", "that is left out; 0: none, all frames"},
+                                               {"run", "-", "-", "of the frames of the block"},
+                                               {"frames", "-", "-", "in the block"}});
+  table.rows.resize(all.rows() * (count + 1), all.cols() + own_columns);
+  put(all, {0, 0, static_cast<double>(average.frames())}, 0, table.rows);
+  Rows total = blocks.front();
+  for (std::size_t i = 1; i < blocks.size(); ++i) total += blocks[i];
+  for (Eigen::Index block = 0; block < count; ++block) {
+    const auto i = static_cast<std::size_t>(block);
+    const Table without = averager.solve((total - blocks[i]) / static_cast<double>(count - 1));
+    put(without.rows,
+        {static_cast<double>(block + 1), static_cast<double>(average.runs()[i] + 1),
+         static_cast<double>(average.block_length())},
+        block + 1, table.rows);
+  }
+  return table;
+}
+
+ColumnWithoutBlocks column_without_blocks(const CsvTable& blocks, const std::string& column,
+                                          const CsvTable& table) {
+  check_block_table(blocks, column, table);
+  const Eigen::Index volumes = table.rows(), count = blocks.rows() / volumes - 1;
+  const Eigen::ArrayXd number = blocks.column("block"), run = blocks.column("run"),
+                       frames = blocks.column("frames"), value = blocks.column(column);
+  ColumnWithoutBlocks result{Eigen::ArrayXXd(volumes, count), {}, 0};
+  for (Eigen::Index block = 1; block <= count; ++block) {
+    if (of_block(blocks, number, block, volumes) != static_cast<double>(block))
+      throw bad_input(blocks.row_place(block * volumes), "blocks are not one after the other",
+                      fmt::format("block {}", block), fmt::format("{}", number[block * volumes]));
+    result.values.col(block - 1) = value.segment(block * volumes, volumes);
+    result.runs.push_back(static_cast<std::int64_t>(of_block(blocks, run, block, volumes)));
+    const double length = of_block(blocks, frames, block, volumes);
+    if (block > 1 && length != result.frames)
+      throw bad_input(blocks.row_place(block * volumes), "blocks are not of the same length",
+                      fmt::format("{} frames", result.frames), fmt::format("{}", length));
+    result.frames = length;
+  }
+  return result;
+}
+
+}  // namespace mikromakro

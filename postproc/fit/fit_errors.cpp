@@ -1,0 +1,171 @@
+#include "fit/fit_errors.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "averaging/error_decision.h"
+#include "fit/student_t.h"
+#include "io/error.h"
+
+namespace mikromakro {
+namespace {
+
+constexpr double confidence = 0.95;
+constexpr double normal_quantile = 1.959963984540054;
+constexpr std::int64_t enough_runs = 8;
+
+// A row for each block: v0, s, and v in the rings that are used.
+Eigen::ArrayXXd pseudo_values(const ExponentialProfile& fitted, const ColumnWithoutBlocks& blocks,
+                              const FitValues& fit) {
+  const Eigen::Index count = blocks.values.cols();
+  Eigen::ArrayXXd without(count, 2 + static_cast<Eigen::Index>(fitted.used.size()));
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::ArrayXd values = blocks.values.col(i);
+    const ExponentialProfile one = fit(values);
+    without.row(i) << one.v0, one.s, values(fitted.used).transpose();
+  }
+  const auto m = static_cast<double>(count);
+  return (-(m - 1) * without).rowwise() + (m * without.colwise().mean());
+}
+
+Eigen::ArrayXd variances(const Eigen::ArrayXXd& series) {
+  return (series.rowwise() - series.colwise().mean()).square().colwise().mean();
+}
+
+// v0, s, and the rings that fluctuate beyond rounding. Of those, where `zone`, the ones of which v0 and s are
+// told: that do a tenth or more of what the ring does that does most to one of them.
+Eigen::ArrayXXd fluctuating(const Eigen::ArrayXXd& series, const ExponentialProfile& fitted, bool zone) {
+  constexpr double least_part = 0.1;
+  const Eigen::Index rings = series.cols() - 2;
+  const Eigen::ArrayXd variance = variances(series).tail(rings),
+                       rounding = 2e-15 * static_cast<double>(series.rows()) *
+                                  series.rightCols(rings).colwise().mean().abs().transpose();
+  const Eigen::ArrayXXd parts = fitted.change.array().square().rowwise() * variance.transpose();
+  const Eigen::Array2d most = parts.rowwise().maxCoeff();
+  std::vector<Eigen::Index> chosen = {0, 1};
+  for (Eigen::Index i = 0; i < rings; ++i) {
+    const bool told = !zone || (parts.col(i) >= least_part * most).any();
+    if (told && std::sqrt(variance[i]) > rounding[i]) chosen.push_back(2 + i);
+  }
+  return series(Eigen::all, chosen);
+}
+
+double correlation(const Eigen::ArrayXXd& series) {
+  const Eigen::ArrayXXd deviation = series.leftCols(2).rowwise() - series.leftCols(2).colwise().mean();
+  return (deviation.col(0) * deviation.col(1)).sum() /
+         std::sqrt(deviation.col(0).square().sum() * deviation.col(1).square().sum());
+}
+
+void widen(const Eigen::Array2d& error, double freedom, FitErrors& errors) {
+  errors.freedom = freedom;
+  errors.error = student_width(freedom) * error;
+  errors.half_width = student_t(confidence, freedom) * error;
+}
+
+// Of independent runs with `frames` of all frames each; rows of `series` are their values.
+FitErrors errors_of_runs(const Eigen::ArrayXXd& series, const Eigen::ArrayXd& share) {
+  const auto runs = static_cast<double>(series.rows());
+  FitErrors errors;
+  errors.method = "jackknife of runs";
+  errors.remark = fmt::format("scatter of {} independent runs", series.rows());
+  errors.correlation = correlation(series);
+  Eigen::Array2d variance;
+  for (Eigen::Index i = 0; i < 2; ++i) {
+    const double mean = (share * series.col(i)).sum();
+    variance[i] = (share * (series.col(i) - mean)).square().sum() * runs / (runs - 1);
+  }
+  errors.samples = 1 / share.square().sum();
+  widen(variance.sqrt(), runs - 1, errors);
+  return errors;
+}
+
+// Of v0 and of s.
+Eigen::Array2d errors_with(const Eigen::ArrayXXd& series, const Eigen::Array2d& time, double widening) {
+  const auto count = static_cast<double>(series.rows());
+  return widening * (variances(series.leftCols(2)).array() * time / (count - time)).sqrt();
+}
+
+FitErrors errors_of_series(const Eigen::ArrayXXd& series, const ExponentialProfile& fitted,
+                           const ColumnWithoutBlocks& blocks) {
+  CorrelationTime all = correlation_time(fluctuating(series, fitted, false), blocks.runs);
+  // How rings differ is told by the zone.
+  all.unknown_scatter = 0;
+  const auto count = static_cast<double>(series.rows());
+  const ErrorDecision decision = decide(all, count);
+  const double of_zone = correlation_time(fluctuating(series, fitted, true), blocks.runs).time;
+  FitErrors errors;
+  errors.remark = fmt::format("{} blocks of {} frames", series.rows(), blocks.frames);
+  if (std::isnan(all.time) || std::isnan(of_zone)) {
+    errors.remark += ", too few to tell 2 tau";
+    return errors;
+  }
+  const Eigen::Array2d time = all.of_series.head(2).max(of_zone);
+  errors.two_tau = blocks.frames * time.maxCoeff();
+  errors.two_tau_error = errors.two_tau * all.uncertainty;
+  errors.samples = count / time.maxCoeff();
+  if (!decision.given || (time >= count).any()) {
+    errors.remark += fmt::format(", {:.3g} effective samples of the {:.3g} that are needed", errors.samples,
+                                 std::ceil(decision.needed));
+    return errors;
+  }
+  errors.method = "jackknife of blocks";
+  errors.correlation = correlation(series);
+  widen(errors_with(series, time, decision.widening / student_width(decision.freedom)), decision.freedom,
+        errors);
+  return errors;
+}
+
+struct Runs {
+  Eigen::ArrayXXd mean;  // a row for each run
+  Eigen::ArrayXd share;  // of all blocks
+};
+
+Runs by_run(const Eigen::ArrayXXd& series, const std::vector<std::int64_t>& runs) {
+  std::vector<Eigen::Index> begins;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (i == 0 || runs[i] != runs[i - 1]) begins.push_back(static_cast<Eigen::Index>(i));
+  const auto count = static_cast<Eigen::Index>(begins.size());
+  begins.push_back(series.rows());
+  Runs result{Eigen::ArrayXXd(count, series.cols()), Eigen::ArrayXd(count)};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto run = static_cast<std::size_t>(i);
+    const Eigen::Index length = begins[run + 1] - begins[run];
+    result.mean.row(i) = series.middleRows(begins[run], length).colwise().mean();
+    result.share[i] = static_cast<double>(length) / static_cast<double>(series.rows());
+  }
+  return result;
+}
+
+}  // namespace
+
+FitErrors errors_from_blocks(const ExponentialProfile& fitted, const ColumnWithoutBlocks& blocks,
+                             const FitValues& fit) {
+  FitErrors none;
+  none.remark = "there is no such profile without one of the blocks";
+  try {
+    const Eigen::ArrayXXd series = pseudo_values(fitted, blocks, fit);
+    if (!series.isFinite().all()) return none;
+    const Runs runs = by_run(series, blocks.runs);
+    return runs.share.size() >= enough_runs ? errors_of_runs(runs.mean, runs.share)
+                                            : errors_of_series(series, fitted, blocks);
+  } catch (const Error&) {
+    return none;
+  }
+}
+
+FitErrors errors_from_rings(const ExponentialProfile& fitted, const Eigen::ArrayXd& error_of_ring) {
+  FitErrors errors;
+  const Eigen::ArrayXd error = error_of_ring(fitted.used);
+  if (!error.isFinite().all()) {
+    errors.remark = "a ring has no error";
+    return errors;
+  }
+  errors.method = "upper bound from the rings' errors";
+  errors.remark = "however rings fluctuate together";
+  errors.error = (fitted.change.cwiseAbs() * error.matrix()).array();
+  errors.half_width = normal_quantile * errors.error;
+  return errors;
+}
+
+}  // namespace mikromakro

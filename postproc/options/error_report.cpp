@@ -1,0 +1,73 @@
+#include "options/error_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mikromakro {
+namespace {
+
+std::string report(const FieldErrors& made) {
+  const CorrelationTime& correlation = made.correlation;
+  const ErrorDecision& decision = made.decision;
+  if (made.series == 0) return made.field.name + ": none, no column fluctuates";
+  if (std::isnan(correlation.time)) return made.field.name + ": none, 2 tau is too long for so few blocks";
+  const std::string time =
+      fmt::format("{}: {}2 tau = {:.3g} +- {:.2g} frames", made.field.name, decision.given ? "" : "none, ",
+                  correlation.time, correlation.time * correlation.uncertainty);
+  if (decision.unlike)
+    return fmt::format("{}, but it differs from series to series by {:.0f} %, more than each knows its own",
+                       time, 100 * correlation.scatter);
+  if (!decision.given)
+    return fmt::format("{}, {:.3g} effective samples of the {:.3g} that are needed", time, decision.samples,
+                       std::ceil(decision.needed));
+  return fmt::format(
+      "{}, from series to series by {:.0f} %, {:.3g} effective samples, {:.3g} degrees of freedom", time,
+      100 * correlation.scatter, decision.samples, decision.freedom);
+}
+
+JsonObject json_of(const FieldErrors& made) {
+  const CorrelationTime& correlation = made.correlation;
+  const bool known = !std::isnan(correlation.time);
+  const auto if_known = [known](double value) { return known ? value : std::nan(""); };
+  JsonObject json;
+  json.add("given", std::int64_t{made.decision.given});
+  json.add("series", static_cast<std::int64_t>(made.series));
+  json.add("two_tau", correlation.time);
+  json.add("two_tau_err", if_known(correlation.time * correlation.uncertainty));
+  json.add("two_tau_scatter", if_known(correlation.scatter));
+  json.add("two_tau_scatter_unknown", if_known(correlation.unknown_scatter));
+  json.add("effective_samples", if_known(made.decision.samples));
+  json.add("needed_samples", if_known(made.decision.needed));
+  json.add("degrees_of_freedom", if_known(made.decision.freedom));
+  json.add("widening", made.decision.given ? made.decision.widening : std::nan(""));
+  return json;
+}
+
+}  // namespace
+
+void describe_errors(const BlockErrors& errors, const TimeAverage& average, Preamble& lines) {
+  const std::string blocks =
+      fmt::format("{} blocks of {} frames", average.blocks().size(), average.block_length());
+  lines.emplace_back("errors", errors.any() ? fmt::format("standard errors by the jackknife of {}", blocks)
+                                            : fmt::format("nan: {} are too few for standard errors", blocks));
+  const bool known = std::any_of(errors.fields.begin(), errors.fields.end(),
+                                 [](const FieldErrors& made) { return made.series > 0; });
+  if (!known) return;
+  for (const FieldErrors& made : errors.fields) lines.emplace_back("errors of", report(made));
+}
+
+JsonObject error_json(const BlockErrors& errors, const TimeAverage& average) {
+  JsonObject json;
+  json.add("method", "jackknife over blocks, 2 tau pooled by field");
+  json.add("frames", errors.frames);
+  json.add("blocks", static_cast<std::int64_t>(average.blocks().size()));
+  json.add("block_length", average.block_length());
+  JsonObject fields;
+  for (const FieldErrors& made : errors.fields) fields.add(made.field.name, json_of(made));
+  json.add("fields", fields);
+  return json;
+}
+
+}  // namespace mikromakro

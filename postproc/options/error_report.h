@@ -1,0 +1,19 @@
+// How the standard errors of a table were made.
+#pragma once
+
+#include "averaging/block_errors.h"
+#include "io/csv_writer.h"
+#include "io/json_object.h"
+
+namespace mikromakro {
+
+/// Lines above the table: the blocks, then for each field 2 tau with its uncertainty and its effective
+/// samples, and whether they are enough.
+void describe_errors(const BlockErrors& errors, const TimeAverage& average, Preamble& lines);
+
+/// The same as JSON: method, frames, blocks, block_length, and for each of the fields given, series (that
+/// fluctuate), two_tau and two_tau_err in frames, two_tau_scatter, two_tau_scatter_unknown, effective_samples
+/// and needed_samples, degrees_of_freedom, widening. What is not known is null.
+JsonObject error_json(const BlockErrors& errors, const TimeAverage& average);
+
+}  // namespace mikromakro
