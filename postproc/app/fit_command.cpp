@@ -5,8 +5,10 @@
 
 #include "app/commands.h"
 #include "app/fit_report.h"
+#include "app/warnings.h"
 #include "io/csv_reader.h"
 #include "io/error.h"
+#include "io/printed_digits.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {
@@ -30,24 +32,36 @@ void check_rings(const CsvTable& table) {
   if (!table.has("r_inner") || !table.has("r_outer")) return;
   const Eigen::ArrayXd inner = table.column("r_inner"), outer = table.column("r_outer"),
                        r = table.column("r");
-  const bool sectors = table.has("phi_begin");
+  Eigen::Index elsewhere = 0;
+  constexpr double arithmetic = 1e-14;
+  PrintedDigits digits;
+  for (Eigen::Index i = 0; i < table.rows(); ++i) digits.add(r[i]);
   for (Eigen::Index i = 0; i < table.rows(); ++i) {
     if (!(inner[i] <= r[i] && r[i] <= outer[i]))
       throw bad_input(table.row_place(i), "r lies outside of its ring",
                       fmt::format("{} to {}", inner[i], outer[i]), fmt::format("{}", r[i]));
-    if (i == 0 || sectors) continue;
+    if (std::abs(r[i] - 0.5 * (inner[i] + outer[i])) > 2 * digits.rounding(outer[i]) + arithmetic * outer[i])
+      ++elsewhere;
+    if (i == 0) continue;
     const double overlap = outer[i - 1] - inner[i];
     constexpr double rounding = 1e-9;  // of edges that are written with fewer digits
     if (overlap > rounding * outer[i])
       throw bad_input(table.row_place(i), "rings overlap or are there twice",
                       fmt::format("r_inner of at least {}", outer[i - 1]), fmt::format("{}", inner[i]));
   }
+  Notes notes;
+  if (elsewhere > 0)
+    notes.add(fmt::format("{}: r is not the middle of its ring in {} rows", table.file(), elsewhere));
+  tell(notes);
 }
 
 CsvTable ring_table(const std::string& file) {
   CsvTable table(file);
   if (!table.has("r"))
     throw bad_input({file}, "the table is not one of rings", "a column r, as of average --rings", "none");
+  if (table.has("phi_begin"))
+    throw bad_input({file}, "the table is one of sectors, whose profiles may differ",
+                    "rings, as of average --rings without --sectors", "phi_begin");
   if (table.rows() == 0) throw bad_input({file}, "the table is empty", "rows of numbers", "none");
   check_rings(table);
   return table;
@@ -58,6 +72,9 @@ RingProfile profile_of(const CsvTable& table, const FitOptions& options) {
   RingProfile profile{"", table.column("r"), table.column(options.column), {}};
   if (options.files.size() > 1) profile.name = table.file();
   if (options.weights == "errors" || table.has(error)) profile.error = table.column(error);
+  if (options.weights == "errors" && !profile.error.isFinite().any())
+    throw bad_input({"--weights"}, fmt::format("{} is nan in all rows of {}", error, table.file()),
+                    "errors (more frames, see docs/manual/errors.md), or --weights none", "none");
   return profile;
 }
 
@@ -115,9 +132,13 @@ double residuals_over_errors(const RingProfile& profile, const FitReport& report
 }
 
 FitReport fit_files(const FitOptions& options) {
-  const CsvTable table = ring_table(options.files.front());
+  std::vector<CsvTable> tables;
   std::vector<RingProfile> profiles;
-  for (const std::string& file : options.files) profiles.push_back(profile_of(ring_table(file), options));
+  for (const std::string& file : options.files) {
+    tables.push_back(ring_table(file));
+    profiles.push_back(profile_of(tables.back(), options));
+  }
+  const CsvTable& table = tables.front();
   const RingProfile& profile = profiles.front();
   FitReport report;
   report.column = options.column;

@@ -33,8 +33,11 @@ std::vector<ColumnsOfField> Averager::columns_of_fields() const {
   std::vector<ColumnsOfField> fields;
   for (const ListedField& listed : fields_) {
     if (!listed.shown) continue;
-    const auto count = static_cast<Eigen::Index>(listed.field->columns(volumes_->axes()).size());
-    fields.push_back({std::string(listed.field->name()), count});
+    ColumnsOfField field{std::string(listed.field->name())};
+    for (const Column& column : listed.field->columns(volumes_->axes()))
+      field.periods.push_back(column.period);
+    field.count = std::ssize(field.periods);
+    fields.push_back(std::move(field));
   }
   return fields;
 }

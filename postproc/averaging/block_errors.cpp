@@ -15,7 +15,22 @@ struct PseudoValues {
   Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> fluctuate;  // beyond rounding
 };
 
-PseudoValues pseudo_values(const std::vector<Rows>& blocks, const Solver& solve) {
+// Angles without a block are at most half of their period from the angle of all.
+void take_around(const std::vector<ColumnsOfField>& fields, Rows& deviations) {
+  Eigen::Index begin = 0;
+  for (const ColumnsOfField& field : fields) {
+    for (std::size_t i = 0; i < field.periods.size(); ++i) {
+      const double period = field.periods[i];
+      if (period == 0) continue;
+      auto column = deviations.col(begin + static_cast<Eigen::Index>(i));
+      column = column.unaryExpr([period](double apart) { return std::remainder(apart, period); }).eval();
+    }
+    begin += field.count;
+  }
+}
+
+PseudoValues pseudo_values(const std::vector<Rows>& blocks, const Solver& solve,
+                           const std::vector<ColumnsOfField>& fields) {
   const auto count = static_cast<double>(blocks.size());
   Rows total = blocks.front();
   for (std::size_t i = 1; i < blocks.size(); ++i) total += blocks[i];
@@ -24,7 +39,9 @@ PseudoValues pseudo_values(const std::vector<Rows>& blocks, const Solver& solve)
   values.deviations.reserve(blocks.size());
   Rows mean = Rows::Zero(whole.rows(), whole.cols()), squares = mean;
   for (const Rows& block : blocks) {
-    values.deviations.emplace_back((count - 1) * (whole - solve((total - block) / (count - 1))));
+    values.deviations.emplace_back(whole - solve((total - block) / (count - 1)));
+    take_around(fields, values.deviations.back());
+    values.deviations.back() *= count - 1;
     mean += values.deviations.back() / count;
     squares += values.deviations.back().square() / count;
   }
@@ -92,7 +109,7 @@ BlockErrors block_errors(const TimeAverage& average, const Solver& solve,
   errors.correlation_time = errors.error;
   constexpr std::size_t fewest_blocks = 8;
   const bool enough = blocks.size() >= fewest_blocks;
-  const PseudoValues jackknife = enough ? pseudo_values(blocks, solve) : PseudoValues{};
+  const PseudoValues jackknife = enough ? pseudo_values(blocks, solve, fields) : PseudoValues{};
   const auto length = static_cast<double>(average.block_length());
   Eigen::Index begin = 0;
   for (const ColumnsOfField& field : fields) {

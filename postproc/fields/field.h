@@ -42,6 +42,7 @@ struct DiscContact {
 struct ColumnsOfField {
   std::string name;
   Eigen::Index count = 0;
+  std::vector<double> periods = {};  ///< of each column, see Column; empty: none is an angle
 };
 
 /// Names of the two directions: {"r", "phi"} or {"x", "y"}.

@@ -214,6 +214,17 @@ TEST(Fit, TablesWithoutAProfileAreRefused) {
   const Folder folder;
   const std::string box = folder.write("b.csv", "x,y,v_phi\n1,1,2\n");
   EXPECT_NE(run_program("fit '" + box + "'").err.find("the table is not one of rings"), std::string::npos);
+  const std::string sectors =
+      folder.write("s.csv", "r_inner,r_outer,r,phi_begin,phi_end,v_phi\n1,2,1.5,0,90,2\n");
+  EXPECT_NE(run_program("fit '" + sectors + "'").err.find("the table is one of sectors"), std::string::npos);
+  const std::string nan =
+      folder.write("n.csv", "r,r_inner,v_phi,v_phi_err\n1,1,4,nan\n2,2,2,nan\n3,3,1,nan\n");
+  EXPECT_NE(run_program("fit '" + nan + "' --weights errors").err.find("v_phi_err is nan in all rows"),
+            std::string::npos);
+  const std::string edges =
+      folder.write("e.csv", "r_inner,r_outer,r,v_phi\n1,2,1.5,4\n2,3,2.6,2\n3,4,3.5,1\n");
+  EXPECT_NE(run_program("fit '" + edges + "'").err.find("r is not the middle of its ring in 1 rows"),
+            std::string::npos);
   const std::string zeros = folder.write("z.csv", "r,r_inner,v_phi\n1,1,0\n2,2,0\n3,3,0\n4,4,0\n");
   const Ran ran = run_program("fit '" + zeros + "'");
   EXPECT_EQ(ran.code, 1);

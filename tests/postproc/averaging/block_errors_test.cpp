@@ -115,6 +115,27 @@ TEST(BlockErrors, JackknifeOfAMeanIsItsStandardError) {
 // The quotient of y = 2 x is 2 in each frame, however x fluctuates: the mean of quotients and the quotient of
 // means agree, and the jackknife must see both fluctuate together; with an independent y it is that of the
 // linearised quotient, err^2 = (err_y^2 + q^2 err_x^2)/x^2, to the next order in 1/blocks: 10 %.
+// The major axis of vectors about 90 degrees, which is -90 degrees: its error is that of the same vectors about 0.
+TEST(BlockErrors, OfAnglesGoAroundTheirSeam) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> noise(0, 0.1);
+  TimeAverage there(1024), here(1024);
+  for (int i = 0; i < 1000; ++i) {
+    const double along = 1 + noise(random), across = noise(random);
+    there.add(row({-along, across}));
+    here.add(row({along, -across}));
+  }
+  // Half of the angle of a double vector, as of a tensor's deviator.
+  const Solver angle = [](const Rows& sums) {
+    return row({90 / std::acos(-1.0) * std::atan2(sums(0, 1), sums(0, 0))});
+  };
+  const std::vector<ColumnsOfField> fields = {{"axes", 1, {180}}};
+  const double wanted = block_errors(here, angle, fields).error(0, 0);
+  // 0.1/2 of a radian over sqrt(1000), within the uncertainty of a variance of 1000 and of 2 tau.
+  EXPECT_NEAR(wanted, 0.05 * 180 / std::acos(-1.0) / std::sqrt(1000.0), 0.15 * wanted);
+  EXPECT_NEAR(block_errors(there, angle, fields).error(0, 0), wanted, 1e-9 * wanted);
+}
+
 TEST(BlockErrors, QuotientsAreSolvedBeforeTheyAreCompared) {
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;

@@ -41,6 +41,14 @@ Table table_of(const Volumes& volumes, const std::vector<double>& values) {
 
 // Squares of the radii: rings 0..1, 1..4, 4..9 onto 0..2, 2..9 with edges in r^2. The second of the three has
 // 1 of its 3 in the first of the two: (1*7 + 1*2)/2 and (2*2 + 5*4)/7.
+// 89 and -89 degrees are 2 degrees apart where 180 is the same direction.
+TEST(Difference, OfAnglesIsTheSmallerOne) {
+  const Eigen::ArrayXd values = Eigen::Array2d(89, -80), reference = Eigen::Array2d(-89, -70);
+  EXPECT_DOUBLE_EQ(difference(values, reference, 180).largest, 10);
+  EXPECT_DOUBLE_EQ(difference(values, reference, 180).mean, 6);
+  EXPECT_DOUBLE_EQ(difference(values, reference).largest, 178);
+}
+
 TEST(AveragedOnto, RingsByTheirAreas) {
   const RingVolumes three({1, 2}, {0, 1, 2, 3}, 1);
   const RingVolumes two({1, 2}, {0, std::sqrt(2.0), 3}, 1);
