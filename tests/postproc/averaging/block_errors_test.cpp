@@ -115,7 +115,8 @@ TEST(BlockErrors, JackknifeOfAMeanIsItsStandardError) {
 // The quotient of y = 2 x is 2 in each frame, however x fluctuates: the mean of quotients and the quotient of
 // means agree, and the jackknife must see both fluctuate together; with an independent y it is that of the
 // linearised quotient, err^2 = (err_y^2 + q^2 err_x^2)/x^2, to the next order in 1/blocks: 10 %.
-// The major axis of vectors about 90 degrees, which is -90 degrees: its error is that of the same vectors about 0.
+// The major axis of vectors about 90 degrees, which is -90 degrees: its error is that of the same vectors
+// about 0.
 TEST(BlockErrors, OfAnglesGoAroundTheirSeam) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> noise(0, 0.1);

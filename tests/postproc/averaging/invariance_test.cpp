@@ -135,8 +135,8 @@ TEST_P(RingAverages, DoNotChangeWhenTheDiscsOfEveryRowAreSwapped) {
   expect_same(frame, swapped, 0);
 }
 
-// Along e_r, on the edge of bins 2 and 3 of 4, and from disc 2 along -e_r, on that of 4 and 1, as at smooth walls:
-// rounding does not choose.
+// Along e_r, on the edge of bins 2 and 3 of 4, and from disc 2 along -e_r, on that of 4 and 1, as at smooth
+// walls: rounding does not choose.
 TEST(RingHistogram, ContactsOnTheEdgeOfTwoBinsCountHalfInEach) {
   for (const double off : {-1e-9, 0.0, 1e-9}) {
     Frame frame;
