@@ -47,12 +47,17 @@ struct SendLists {
   friend Type member(SendLists tag);
 };
 
+struct MustCheck {
+  using Type = int Neighbor::*;
+  friend Type member(MustCheck tag);
+};
 struct TriggerSquare {
   using Type = double Neighbor::*;
   friend Type member(TriggerSquare tag);
 };
 
 template struct Grant<TriggerSquare, &Neighbor::triggersq>;
+template struct Grant<MustCheck, &Neighbor::must_check>;
 template struct Grant<ExternalForceClear, &Integrate::external_force_clear>;
 template struct Grant<SwapCount, &CommBrick::nswap>;
 template struct Grant<SendCounts, &CommBrick::sendnum>;
@@ -130,6 +135,10 @@ bool writes_restart_at(const LAMMPS& engine, bigint step) {
 
 bigint next_restart_step(const LAMMPS& engine) {
   return engine.output->restart_flag ? engine.output->next_restart : -1;
+}
+
+int& asks_for_lists(Neighbor& neighbor) {
+  return neighbor.*member(MustCheck{});
 }
 
 void set_trigger(Neighbor& neighbor, double distance) {

@@ -62,12 +62,18 @@ struct TriggerSquare {
   friend Type member(TriggerSquare tag);
 };
 
+struct MustCheck {
+  using Type = int LAMMPS_NS::Neighbor::*;
+  friend Type member(MustCheck tag);
+};
+
 struct NextRestart {
   using Type = LAMMPS_NS::bigint LAMMPS_NS::Output::*;
   friend Type member(NextRestart tag);
 };
 
 template struct Grant<TriggerSquare, &LAMMPS_NS::Neighbor::triggersq>;
+template struct Grant<MustCheck, &LAMMPS_NS::Neighbor::must_check>;
 template struct Grant<NextRestart, &LAMMPS_NS::Output::next_restart>;
 template struct Grant<ExternalForceClear, &LAMMPS_NS::Integrate::external_force_clear>;
 template struct Grant<SwapCount, &LAMMPS_NS::Comm::nswap>;
@@ -111,6 +117,10 @@ bool writes_restart_at(const LAMMPS_NS::LAMMPS& engine, LAMMPS_NS::bigint step) 
 
 LAMMPS_NS::bigint next_restart_step(const LAMMPS_NS::LAMMPS& engine) {
   return engine.output->*member(NextRestart{});
+}
+
+int& asks_for_lists(LAMMPS_NS::Neighbor& neighbor) {
+  return neighbor.*member(MustCheck{});
 }
 
 void set_trigger(LAMMPS_NS::Neighbor& neighbor, double distance) {

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include <mpi.h>
 
@@ -218,6 +219,7 @@ std::size_t DiscLaw::contacts() const {
 void DiscLaw::evaluate(const Evaluation& evaluation) {
   if (!run_started_) start_run(evaluation.list);
   if (packed_.check_is_off) neighbor->build_once = 0;
+  if (packed_.asks_for_lists != 0) asks_for_lists(*neighbor) = std::exchange(packed_.asks_for_lists, 0);
   if (packed_.clear_is_off) forces_are_not_cleared(*update->integrate) = 0;
   forces_are_stale_ = packed_.clear_is_off;
   packed_.check_is_off = packed_.clear_is_off = false;

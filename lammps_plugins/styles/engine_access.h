@@ -54,6 +54,9 @@ std::vector<int> atoms_with_ghosts(const LAMMPS_NS::Comm& comm, int nlocal);
 bool writes_restart_at(const LAMMPS_NS::LAMMPS& engine, LAMMPS_NS::bigint step);
 LAMMPS_NS::bigint next_restart_step(const LAMMPS_NS::LAMMPS& engine);
 
+/// Not zero: the engine asks outputs, fixes and signals whether they want new neighbour lists.
+int& asks_for_lists(LAMMPS_NS::Neighbor& neighbor);
+
 /// How far a disc may move before the engine builds new neighbour lists [m]; below zero: not at all.
 void set_trigger(LAMMPS_NS::Neighbor& neighbor, double distance);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include <mpi.h>
 
@@ -242,6 +243,8 @@ void FixNveDisc::post_integrate() {
     for (const int i : seen_elsewhere_) law_->put_disc_into_engine(i);
     packed_->check_is_off = !neighbor->build_once;
     neighbor->build_once = 1;
+    // A signal that comes from here on, and would have new lists built, waits for the next step.
+    packed_->asks_for_lists = std::exchange(asks_for_lists(*neighbor), 0);
   }
   int& not_cleared = forces_are_not_cleared(*update->integrate);
   packed_->clear_is_off = !not_cleared && law_->will_stay_open();

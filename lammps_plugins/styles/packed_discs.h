@@ -29,6 +29,7 @@ struct PackedDiscs {
   double furthest = 0;                   // how far they moved a disc in that step at most [m]
   // Spared in this step: the engine's search for discs that left the skin, and its clearing of forces.
   bool check_is_off = false, clear_is_off = false;
+  int asks_for_lists = 0;  // what the engine asks before it builds lists, while it is kept from asking
   // Pairs are to be looked through for near ones in this step: all ranks do so together, for one that does it
   // alone keeps the others waiting.
   bool look_is_due = false;
