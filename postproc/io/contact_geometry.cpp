@@ -216,7 +216,7 @@ class Joiner {
   /// As the places of the row say. Stock LIGGGHTS gives periodic = 1 to contacts with any ghost, and wraps
   /// their places: the partner is an image, or stands where it is, and belongs to another rank.
   Vector2d row_branch(const Row& row, double reach, double slack) const {
-    const Vector2d branch = row.place(x2, y2) - row.place(x1, y1);
+    Vector2d branch = row.place(x2, y2) - row.place(x1, y1);
     if (row.has(periodic) && row[periodic] == 0) return branch;
     if (row.has(periodic) && !wraps_ && branch.norm() > reach + slack)
       throw bad_input(rows_.place(row.index), "a contact through a periodic boundary in a box that has none",
@@ -229,7 +229,7 @@ class Joiner {
   /// Where both touch, in a box that is hardly wider than two discs, the overlap tells; without one, or where
   /// it is that of both, it is the image, as on one rank.
   Vector2d direct_or_image(const Row& row, const Vector2d& branch, double reach, double slack) const {
-    const Vector2d image = nearest_other(branch);
+    Vector2d image = nearest_other(branch);
     if (branch.norm() > reach + slack) return image;
     if (image.norm() > reach + slack) return branch;
     const bool is_direct = row.has(overlap) && std::abs(reach - branch.norm() - row[overlap]) <= slack &&
