@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <string>
 
 #include "snapshot_run.h"
@@ -27,6 +28,12 @@ std::string final_state(const std::string& name) {
       name);
 }
 
+/// A disc at rest on a ring that does not turn has a velocity of -0 or of 0, as its row was last written by
+/// the ring or where new neighbour lists were due.
+std::string without_signs_of_zeros(const std::string& numbers) {
+  return std::regex_replace(numbers, std::regex(" -0(?=[ \\n])"), " 0");
+}
+
 class EndedEarly : public SnapshotOfARun, public testing::WithParamInterface<int> {
  protected:
   /// What `stopped` and `whole` have written since the step in which the first was stopped.
@@ -41,7 +48,7 @@ class EndedEarly : public SnapshotOfARun, public testing::WithParamInterface<int
 
   void expect_same_state(const std::string& name) const {
     ASSERT_GT(text("whole.txt").size(), 10000U);
-    EXPECT_EQ(text(name), text("whole.txt"));
+    EXPECT_EQ(without_signs_of_zeros(text(name)), without_signs_of_zeros(text("whole.txt")));
   }
 };
 
