@@ -36,9 +36,10 @@ struct ContactRules {
 ///
 /// Throws: an id without particle; places, normal, overlap or distance of a row that are not those of its
 /// discs within the digits of the files; a force between discs that do not touch, unless the rules allow it;
-/// periodic = 1 in a box that is not; a disc in contact with itself, unless through a periodic boundary;
-/// discs that may touch through two images where the row does not say which; a wall contact without normal or
-/// positions, two centres at the same point, and what check_pairs throws.
+/// periodic = 1 for discs whose places are apart in a box that is not periodic; a disc in contact with
+/// itself, unless through a periodic boundary; discs that may touch through two images where the row does not
+/// say which; a wall contact without normal or positions, two centres at the same point, and what check_pairs
+/// throws.
 std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& discs,
                                    const ContactRules& rules = {});
 
