@@ -121,10 +121,14 @@ TEST(BlockErrors, OfAnglesGoAroundTheirSeam) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> noise(0, 0.1);
   TimeAverage there(1024), here(1024);
-  for (int i = 0; i < 1000; ++i) {
-    const double along = 1 + noise(random), across = noise(random);
-    there.add(row({-along, across}));
-    here.add(row({along, -across}));
+  // Their mean lies on the seam, so that it is on either side without one of the blocks.
+  Eigen::ArrayXd across(1000);
+  for (double& number : across) number = noise(random);
+  across -= across.mean();
+  for (const double number : across) {
+    const double along = 1 + noise(random);
+    there.add(row({-along, number}));
+    here.add(row({along, -number}));
   }
   // Half of the angle of a double vector, as of a tensor's deviator.
   const Solver angle = [](const Rows& sums) {
