@@ -6,6 +6,7 @@
 #include "arguments.h"
 #include "atom.h"
 #include "disc_insertion.h"
+#include "first_rank.h"
 #include "physics/disc_region.h"
 #include "physics/ring_load.h"
 #include "physics/ring_motion.h"
@@ -71,13 +72,32 @@ std::vector<NewDisc> discs_of(const RingRequest& ring) {
   return discs;
 }
 
+/// Discs that are there overlap the nearest disc of the ring.
+void warn_of_overlaps(LAMMPS_NS::LAMMPS& engine, const RingRequest& ring) {
+  const double step = 2.0 * std::numbers::pi / ring.number;
+  long overlapping = 0;
+  for (const physics::PlacedDisc& disc : existing_discs(engine)) {
+    const double x = disc.x - ring.centre.x, y = disc.y - ring.centre.y;
+    const double nearest = ring.phase + step * std::round((std::atan2(y, x) - ring.phase) / step);
+    const double distance =
+        std::hypot(x - ring.ring_radius * std::cos(nearest), y - ring.ring_radius * std::sin(nearest));
+    if (distance < (1 - 1e-9) * (disc.radius + ring.disc_radius)) ++overlapping;
+  }
+  if (overlapping > 0)
+    warn(engine, style + ": " + std::to_string(overlapping) +
+                     " discs that were there overlap discs of the ring; expected the ring first, then "
+                     "create_discs, which keeps clear of it");
+}
+
 }  // namespace
+
 void CreateRing::command(int narg, char** arg) {
   check_ready_for_discs(*lmp, style);
   Arguments arguments(*lmp, style, narg, arg);
   const RingRequest ring = parse(arguments, atom->ntypes);
   const physics::Annulus outline{ring.centre.x, ring.centre.y, 0.0, ring.ring_radius + ring.disc_radius};
   check_inside_box(*lmp, style, "the ring", outline.bounds());
+  warn_of_overlaps(*lmp, ring);
   insert_discs(*lmp, style, discs_of(ring), ring.areal_density);
   const double pitch = 2.0 * std::numbers::pi * ring.ring_radius / ring.number;
   say(*lmp, "create_ring: " + std::to_string(ring.number) + " discs of radius " + text_of(ring.disc_radius) +

@@ -11,11 +11,10 @@
 
 #include "arguments.h"
 #include "atom.h"
-#include "comm.h"
 #include "compute.h"
 #include "disc_law.h"
 #include "engine_access.h"
-#include "error.h"
+#include "first_rank.h"
 #include "fix.h"
 #include "fix_nve_disc.h"
 #include "lammps.h"
@@ -70,10 +69,6 @@ void check_integrators(LAMMPS& engine, const std::string& style) {
                "); expected it in the group of one of them");
     }
   }
-}
-
-void warn(LAMMPS& engine, const std::string& text) {
-  if (engine.comm->me == 0) engine.error->warning(FLERR, text.c_str());
 }
 
 bool moves_without_turning(const Fix& fix) {

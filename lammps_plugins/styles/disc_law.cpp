@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <mpi.h>
+#include "agreement.h"
 
 #include "arguments.h"
 #include "atom.h"
@@ -173,6 +174,7 @@ void DiscLaw::start_run(const NeighList& list) {
   check_time_step(*lmp, list, style(), {effects_, parameters_, impact_velocity_});
   tell(*lmp, effects_line(effects_, *modify, predicted_));
   warn_of_unseen_forces(*lmp);
+  warn_of_disagreement(*lmp);
 }
 
 const physics::ContactParameters& DiscLaw::parameters(int type_1, int type_2) const {

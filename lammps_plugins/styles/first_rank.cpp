@@ -7,6 +7,7 @@
 
 #include "arguments.h"
 #include "comm.h"
+#include "error.h"
 #include "lammps.h"
 
 namespace mikromakro::styles {
@@ -32,6 +33,10 @@ void tell(LAMMPS_NS::LAMMPS& engine, const std::string& line) {
   if (engine.comm->me != 0) return;
   for (FILE* file : {engine.screen, engine.logfile})
     if (file) std::fprintf(file, "%s\n", line.c_str());
+}
+
+void warn(LAMMPS_NS::LAMMPS& engine, const std::string& text) {
+  if (engine.comm->me == 0) engine.error->warning(FLERR, text.c_str());
 }
 
 }  // namespace mikromakro::styles

@@ -17,4 +17,7 @@ void on_first_rank(LAMMPS_NS::LAMMPS& engine, const std::string& style, const st
 /// A line on the screen and in the log.
 void tell(LAMMPS_NS::LAMMPS& engine, const std::string& line);
 
+/// The engine's own warning, from the first rank.
+void warn(LAMMPS_NS::LAMMPS& engine, const std::string& text);
+
 }  // namespace mikromakro::styles

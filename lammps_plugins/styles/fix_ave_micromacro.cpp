@@ -7,10 +7,8 @@
 
 #include "arguments.h"
 #include "atom.h"
-#include "comm.h"
 #include "disc_law.h"
 #include "engine_access.h"
-#include "error.h"
 #include "first_rank.h"
 #include "frame_gathering.h"
 #include "group.h"
@@ -111,6 +109,7 @@ void FixAveMicromacro::parse(std::vector<std::string> words) {
   add_average_options(app, options_);
   check_values(app);
   name_options(app, words);
+  check_lists(app, words);
   // The parser takes its arguments from the back.
   std::reverse(words.begin(), words.end());
   try {
@@ -169,7 +168,7 @@ void FixAveMicromacro::warn_of(const std::string& name, const std::string& keywo
       text += hertz ? " N/m is used, but the law is Hertzian, whose kn is in N/m^2"
                     : " is used, but the law has " + text_of(value) +
                           ", by types perhaps: fields that take it are those of the first";
-      if (comm->me == 0) error->warning(FLERR, text.c_str());
+      warn(*lmp, text);
       return;
     }
   }

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "agreement.h"
 #include "contact_rows.h"
 #include "dialect.h"
 #include "disc_law.h"
@@ -27,11 +28,13 @@
 
 namespace mikromakro::styles {
 
-class FixAveMicromacro : public FixWithClock, public ContactObserver, public FileWriter {
+class FixAveMicromacro : public FixWithClock, public ContactObserver, public FileWriter, public KnowsHeight {
  public:
   FixAveMicromacro(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
 
   bool wants_contacts_at(LAMMPS_NS::bigint step) const override { return step % nevery == 0; }
+
+  double given_height() const override { return options_.volumes.height; }
 
   std::vector<std::string> output_names() const override { return options_.out; }
 

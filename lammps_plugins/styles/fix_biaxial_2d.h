@@ -31,6 +31,7 @@
 
 #include <array>
 
+#include "agreement.h"
 #include "biaxial_settings.h"
 #include "fix_with_walls.h"
 #include "physics/servo_wall.h"
@@ -38,9 +39,11 @@
 
 namespace mikromakro::styles {
 
-class FixBiaxial2d : public FixWithWalls {
+class FixBiaxial2d : public FixWithWalls, public KnowsHeight {
  public:
   FixBiaxial2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+
+  double given_height() const override { return settings_.height == 1.0 ? 0.0 : settings_.height; }
 
   void init() override;
   void setup(int vflag) override;

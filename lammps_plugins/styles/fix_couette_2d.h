@@ -33,6 +33,7 @@
 #include <array>
 #include <vector>
 
+#include "agreement.h"
 #include "couette_settings.h"
 #include "dialect.h"
 #include "physics/ring_load.h"
@@ -46,12 +47,14 @@ namespace mikromakro::styles {
 class DiscLaw;
 struct PackedDiscs;
 
-class FixCouette2d : public FixWithClock, public WallContactSource {
+class FixCouette2d : public FixWithClock, public WallContactSource, public KnowsHeight {
  public:
   FixCouette2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   ~FixCouette2d() override;
   FixCouette2d(const FixCouette2d&) = delete;
   FixCouette2d& operator=(const FixCouette2d&) = delete;
+
+  double given_height() const override { return settings_.height == 1.0 ? 0.0 : settings_.height; }
 
   void init() override;
   void setup_pre_exchange() override;

@@ -8,6 +8,7 @@
 #include "engine_access.h"
 #include "first_rank.h"
 #include "frame_gathering.h"
+#include "group.h"
 #include "io/output_file.h"
 #include "mikromakro_version.h"
 #include "run_record.h"
@@ -63,17 +64,27 @@ void FixSnapshotDisc::setup(int /*vflag*/) {
   warn_of_discs_outside(*lmp, *this);
   const bool first_run = !begun_;
   const bool due = update->ntimestep % nevery == 0 || (first_run && at_start_);
-  const SnapshotParameters record = run_record(*lmp, height_);
+  const SnapshotParameters record = run_record(*lmp, group->names[igroup], height_);
   if (!first_run && !(record == record_))
     stop(*lmp, style,
          "effects or material constants have changed since the first run; expected another fix with another "
          "file, got '" +
              file_ + "'");
+  warn_of_no_frame(due);
   if (!first_run && !due) return;
   record_ = record;
   const RawFrame frame = gather_frame(*lmp, groupbit, style);
   if (first_run) begin(frame);
   if (due) on_first_rank(*lmp, style, [&] { log_->add(frame); });
+}
+
+void FixSnapshotDisc::warn_of_no_frame(bool due_now) {
+  const auto run = update->laststep - update->ntimestep;
+  const bool later = update->laststep / nevery > update->ntimestep / nevery;
+  if (begun_ || due_now || later || run == 0) return;
+  warn(*lmp, std::string("fix ") + id + " (" + style +
+                 "): no frame in this run: N = " + std::to_string(nevery) + " is not reached by step " +
+                 std::to_string(update->laststep) + "; expected a smaller N, or 'start yes'");
 }
 
 void FixSnapshotDisc::begin(const RawFrame& frame) {

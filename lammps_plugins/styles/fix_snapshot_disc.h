@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "agreement.h"
 #include "contact_rows.h"
 #include "dialect.h"
 #include "io/snapshot_log.h"
@@ -24,11 +25,13 @@
 
 namespace mikromakro::styles {
 
-class FixSnapshotDisc : public FixOfEngine, public ContactObserver, public FileWriter {
+class FixSnapshotDisc : public FixOfEngine, public ContactObserver, public FileWriter, public KnowsHeight {
  public:
   FixSnapshotDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
 
   bool wants_contacts_at(LAMMPS_NS::bigint step) const override { return step % nevery == 0; }
+
+  double given_height() const override { return height_; }
 
   std::vector<std::string> output_names() const override { return {file_}; }
 
@@ -39,6 +42,7 @@ class FixSnapshotDisc : public FixOfEngine, public ContactObserver, public FileW
 
  private:
   void begin(const RawFrame& frame);
+  void warn_of_no_frame(bool due_now);
 
   std::string file_;
   bool append_ = false;

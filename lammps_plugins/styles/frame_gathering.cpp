@@ -11,7 +11,7 @@
 #include "contact_rows.h"
 #include "domain.h"
 #include "engine_access.h"
-#include "error.h"
+#include "first_rank.h"
 #include "fix.h"
 #include "group.h"
 #include "modify.h"
@@ -141,11 +141,10 @@ void warn_of_discs_outside(LAMMPS& engine, const LAMMPS_NS::Fix& fix) {
   LAMMPS_NS::bigint outside =
       std::count_if(atom.mask, atom.mask + atom.nlocal, [&](int mask) { return (mask & fix.groupbit) == 0; });
   MPI_Allreduce(MPI_IN_PLACE, &outside, 1, MPI_LMP_BIGINT, MPI_SUM, engine.world);
-  if (outside == 0 || engine.comm->me != 0) return;
-  const std::string text = std::string("fix ") + fix.id + " (" + fix.style + "): " + std::to_string(outside) +
-                           " discs are not in group " + engine.group->names[fix.igroup] +
-                           ": contacts with them are left out, and missing in stress and coordination";
-  engine.error->warning(FLERR, text.c_str());
+  if (outside == 0) return;
+  warn(engine, std::string("fix ") + fix.id + " (" + fix.style + "): " + std::to_string(outside) +
+                   " discs are not in group " + engine.group->names[fix.igroup] +
+                   ": contacts with them are left out, and missing in stress and coordination");
 }
 
 }  // namespace mikromakro::styles

@@ -11,11 +11,12 @@
 
 namespace mikromakro::styles {
 
-SnapshotParameters run_record(LAMMPS_NS::LAMMPS& engine, double height) {
+SnapshotParameters run_record(LAMMPS_NS::LAMMPS& engine, const std::string& group, double height) {
   const DiscLaw& law = *active_disc_law(engine);
   SnapshotParameters record;
   record.engine = engine_name(engine);
   record.words = {{"units", {engine.update->unit_style}},
+                  {"group", {group}},
                   {"effects", simulated_effects(law.effects(), *engine.modify)}};
   if (height > 0) record.numbers.push_back({"height", "m", {1}, {height}});
   const auto types = static_cast<unsigned long long>(engine.atom->ntypes);

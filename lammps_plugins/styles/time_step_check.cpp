@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "atom.h"
-#include "comm.h"
 #include "contact_rows.h"
 #include "error.h"
+#include "first_rank.h"
 #include "fix.h"
 #include "modify.h"
 #include "neigh_list.h"
@@ -146,10 +146,6 @@ double shortest_contact(const TypesAtHand& at_hand, const std::vector<double>& o
 
 bool any_moves(const TypesAtHand& types) {
   return std::any_of(types.mass.begin(), types.mass.end(), [](double m) { return std::isfinite(m); });
-}
-
-void warn(LAMMPS& engine, const std::string& text) {
-  if (engine.comm->me == 0) engine.error->warning(FLERR, text.c_str());
 }
 
 }  // namespace

@@ -6,10 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "comm.h"
 #include "compute.h"
 #include "contact_rows.h"
-#include "error.h"
+#include "first_rank.h"
 #include "fix.h"
 #include "force.h"
 #include "lammps.h"
@@ -89,12 +88,10 @@ std::string outputs_of_contacts(const Modify& modify) {
 
 void warn_of_unseen_forces(LAMMPS& engine) {
   const std::string forces = unseen_forces(engine), outputs = outputs_of_contacts(*engine.modify);
-  if (forces.empty() || outputs.empty() || engine.comm->me != 0) return;
-  const std::string text =
-      forces + ": forces on discs that " + outputs +
-      " will not have: contacts, stress and the account of energy miss them; a smooth wall "
-      "that they have is 'fix ID group wall/disc'";
-  engine.error->warning(FLERR, text.c_str());
+  if (forces.empty() || outputs.empty()) return;
+  warn(engine, forces + ": forces on discs that " + outputs +
+                   " will not have: contacts, stress and the account of energy miss them; a smooth wall "
+                   "that they have is 'fix ID group wall/disc'");
 }
 
 }  // namespace mikromakro::styles

@@ -43,9 +43,7 @@ std::int64_t read_frames(const FrameSource& source, bool quiet,
     progress.update(stream.bytes_read(), ++frames);
   }
   tell(*source.notes);
-  if (frames == 0)
-    throw bad_input({source.files().front()}, "no frame is selected",
-                    "frames that --frames and --steps select", "0");
+  if (frames == 0) throw source.no_frame_selected();
   return frames;
 }
 

@@ -1,5 +1,7 @@
 #include "app/averaging_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <thread>
@@ -18,9 +20,7 @@ namespace {
 // What was asked for and is not there; on rank 0.
 void check_found(const FrameSource& source, const VolumeOptions& volumes, const TypesSeen& types,
                  const Averaged& averaged) {
-  if (averaged.sums.frames() == 0)
-    throw bad_input({source.files().front()}, "no frame is selected",
-                    "frames that --frames and --steps select", "0");
+  if (averaged.sums.frames() == 0) throw source.no_frame_selected();
   check_types(source, "--bulk-types", types);
   if ((averaged.sums.mean() == 0).all()) check_coverage(source, volumes);
 }
@@ -47,8 +47,13 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
   Averaged averaged{std::move(sums), {}};
   std::atomic<std::int64_t> bytes = 0;
   TypesSeen types(volumes.bulk_types);
+  const double width = kernel_width(volumes);
   const SumFrame look_and_sum = [&](const Frame& frame) {
     types.look(frame);
+    if (width > frame.box.length().maxCoeff())
+      source.notes->add(
+          fmt::format("--weight {}: the kernel is wider than the box (W is in m)", volumes.weight),
+          frame.step);
     return sum(frame);
   };
   const auto read_and_sum = [&](const TakeSums& take) {

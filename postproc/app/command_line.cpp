@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 
 #include "io/nearest_name.h"
 #include "options/value_checks.h"
@@ -36,9 +38,12 @@ std::string of_verb(const CLI::App& program) {
 
 }  // namespace
 
-std::vector<std::string> words_for_parser(int argc, char** argv) {
-  std::vector<std::string> words;
-  for (int i = argc - 1; i > 0; --i) words.push_back(as_value(argv[i]));
+std::vector<std::string> words_for_parser(const CLI::App& program, int argc, char** argv) {
+  std::vector<std::string> words(std::next(argv), std::next(argv, argc));
+  for (const CLI::App* verb : program.get_subcommands({}))
+    if (!words.empty() && verb->get_name() == words.front()) check_lists(*verb, words);
+  std::transform(words.begin(), words.end(), words.begin(), as_value);
+  std::reverse(words.begin(), words.end());
   return words;
 }
 

@@ -52,12 +52,12 @@ void convert(const ConvertOptions& options) {
   Frame frame;
   std::int64_t frames = 0;
   while (stream.next(frame)) {
+    check_time(frame, stream.raw().particle_file, options.time_step);
     writer.add(stream.raw(), frame.particles);
     progress.update(stream.bytes_read(), ++frames);
   }
   tell(*source.notes);
-  if (frames == 0)
-    throw bad_input({"--frames"}, "no frame is selected", "frames that --frames and --steps select", "0");
+  if (frames == 0) throw source.no_frame_selected();
   writer.close();
   file.publish();
 }
@@ -69,7 +69,8 @@ void add_convert_command(CLI::App& program) {
   auto options = std::make_shared<ConvertOptions>();
   add_input_options(*app, options->input);
   app->add_option("--out", options->out, "FILE.h5")->required();
-  app->add_option("--timestep", options->time_step, "DT (s): times are written beside the steps")
+  app->add_option("--timestep", options->time_step,
+                  "DT (s): times are written beside the steps; default those of the files")
       ->check(positive());
   app->add_flag("--quiet", options->quiet, "no progress bar");
   app->callback([options] { reading_again(options->input, [&] { convert(*options); }); });

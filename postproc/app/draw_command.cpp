@@ -55,8 +55,9 @@ void add_options(CLI::App& app, DrawOptions& options) {
       ->check(positive());
   app.add_option("--width", options.style.width, "of the picture, pixels; default 1600")
       ->transform(whole_number(100, 20000));
-  app.add_option("--timestep", options.style.time_step,
-                 "DT (s): the stamp shows the time instead of the step")
+  app.add_option(
+         "--timestep", options.style.time_step,
+         "DT (s): the stamp shows the time instead of the step; default the times of the files, if any")
       ->check(positive());
   app.add_flag("--quiet", options.quiet, "no progress bar");
 }
@@ -142,11 +143,11 @@ std::int64_t add_frames(const FrameSource& source, const DrawOptions& options, P
   std::int64_t frames = 0;
   TypesSeen types(options.style.bulk_types);
   for (; stream.next(frame); ++frames) {
+    check_time(frame, stream.raw().particle_file, options.style.time_step);
     scales.add(frame, options.style);
     types.look(frame);
   }
-  if (frames == 0)
-    throw bad_input({"--frames"}, "no frame is selected", "frames that --frames and --steps select", "0");
+  if (frames == 0) throw source.no_frame_selected();
   check_types(source, "--bulk-types", types);
   check_scales(options, scales, *source.notes);
   tell(*source.notes);

@@ -66,7 +66,7 @@ int run(int argc, char** argv) {
   mikromakro::add_timestep_command(program);
   for (CLI::App* verb : program.get_subcommands({})) mikromakro::check_values(*verb);
   try {
-    program.parse(mikromakro::words_for_parser(argc, argv));
+    program.parse(mikromakro::words_for_parser(program, argc, argv));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return program.exit(error);
     return complain(mikromakro::complaint_of(program, error), exit_bad_input);

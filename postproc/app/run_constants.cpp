@@ -23,7 +23,7 @@ std::vector<std::pair<std::string, RunConstants>> constants_of(const FrameSource
   std::vector<std::pair<std::string, RunConstants>> all;
   for (const Run& run : source.runs()) {
     for (const std::string& file : run.snapshot_files) {
-      all.emplace_back(file, read_constants(Hdf5File::open(file)));
+      all.emplace_back(file, read_constants(Hdf5File::open(file), file));
       const std::string& units = all.back().second.units;
       if (!units.empty() && units != "si")
         throw bad_input({file}, "the run has other units", "units si", in_quotes(units));
@@ -111,6 +111,16 @@ void compare_friction(const FrameSource& source, double mu) {
     if (other != all.end())
       source.notes->add(fmt::format("--mu {} is used, but {} says {}", mu, file, *other));
   }
+}
+
+void check_time(const Frame& frame, const std::string& file, double time_step) {
+  constexpr double digits = 1e-5;
+  const double wanted = time_step * static_cast<double>(frame.step);
+  if (time_step == 0 || std::isnan(frame.time) || std::abs(frame.time - wanted) <= digits * std::abs(wanted))
+    return;
+  throw bad_input({"--timestep"}, "the file has times of its own, which are others",
+                  fmt::format("{} s in step {} of {}, or no --timestep", frame.time, frame.step, file),
+                  fmt::format("{} s", wanted));
 }
 
 }  // namespace mikromakro

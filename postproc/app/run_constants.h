@@ -18,4 +18,8 @@ void take_stiffness(const FrameSource& source, const std::vector<int>& bulk_type
 /// Notes where `mu` is given (above 0) and is not the one of a file.
 void compare_friction(const FrameSource& source, double mu);
 
+/// Throws where step * `time_step` (s; 0: not given) is not the time that the file gives the frame: the time
+/// step of its run may have changed.
+void check_time(const Frame& frame, const std::string& file, double time_step);
+
 }  // namespace mikromakro

@@ -186,10 +186,10 @@ class Painter {
   }
 
   void stamp() {
+    const double time =
+        style_.time_step > 0 ? style_.time_step * static_cast<double>(frame_.step) : frame_.time;
     const std::string words =
-        style_.time_step > 0
-            ? fmt::format("t = {:.6g} s", style_.time_step * static_cast<double>(frame_.step))
-            : fmt::format("step {}", frame_.step);
+        std::isnan(time) ? fmt::format("step {}", frame_.step) : fmt::format("t = {:.6g} s", time);
     canvas_->text({opposite_.x(), foot()}, words, letter_, {1, 0.5});
   }
 

@@ -104,7 +104,12 @@ void require_columns(const ColumnMap& map, ColumnSet needed, const ColumnNames& 
     if ((needed & bit & ~map.given) != 0) missing.push_back(names.known[slot]);
   }
   if (missing.empty()) return;
-  const std::string way_out = names.option.empty() ? "" : fmt::format(" (name them with {})", names.option);
+  const bool no_radius = std::find(missing.begin(), missing.end(), "radius") != missing.end();
+  const std::string way_out =
+      names.option.empty()
+          ? ""
+          : fmt::format(" ({}name them with {})",
+                        no_radius ? "dump the engine's radius or diameter, or " : "", names.option);
   throw bad_input(place, "columns are missing" + way_out, fmt::format("{}", fmt::join(missing, " ")),
                   given.empty() ? "none that is known" : fmt::format("only {}", fmt::join(given, " ")));
 }

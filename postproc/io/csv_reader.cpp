@@ -1,5 +1,6 @@
 #include "io/csv_reader.h"
 
+#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -41,8 +42,14 @@ std::vector<std::string> checked_names(std::string_view line, const Place& place
   return names;
 }
 
-double cell_value(std::string_view cell, const Place& place) {
-  return cell == "nan" || cell == "-nan" ? std::nan("") : parse_number(cell, place);
+double cell_value(std::string_view cell, const std::string& column, const Place& place) {
+  if (cell == "nan" || cell == "-nan") return std::nan("");
+  double value = 0;
+  const auto parsed = fast_float::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (parsed.ptr == cell.data())
+    throw bad_input(place, fmt::format("not a number in column {}", in_quotes(column)),
+                    "a number, as in tables of `mikromakro average`", in_quotes(cell));
+  return parse_number(cell, place);
 }
 
 }  // namespace
@@ -64,7 +71,8 @@ CsvTable::CsvTable(const std::string& file) : file_(file) {
                         fmt::format("{}", row.size()));
       }
       row_lines_.push_back(lines.line());
-      for (const std::string_view cell : row) values.push_back(cell_value(cell, lines.place()));
+      for (std::size_t i = 0; i < row.size(); ++i)
+        values.push_back(cell_value(row[i], names_[i], lines.place()));
     }
   }
   if (names_.empty()) throw bad_input({file_}, "no table in the file", "a line of column names", "none");

@@ -51,8 +51,9 @@ struct Contact {
 
 struct Frame {
   std::int64_t step = 0;
-  std::int64_t index = 0;  ///< among all frames of the input, from 0
-  std::int64_t run = 0;    ///< among the runs of the input, from 0
+  double time = not_given;  ///< s
+  std::int64_t index = 0;   ///< among all frames of the input, from 0
+  std::int64_t run = 0;     ///< among the runs of the input, from 0
   Box box;
   std::vector<Particle> particles;
   std::vector<Contact> contacts;

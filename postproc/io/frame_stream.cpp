@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 #include "io/id_map.h"
@@ -98,6 +99,7 @@ void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   // The rows are read anew for the next frame.
   frame.particles.swap(raw.particles);
   convert(raw.units, raw, frame);
+  frame.time = raw.time;
 }
 
 ColumnWishes FrameSource::wishes() const {
@@ -120,14 +122,29 @@ std::vector<std::string> FrameSource::files() const {
   return all;
 }
 
-FrameSelection FrameSource::settled_selection() const {
-  if (!selection.counts_from_the_end()) return selection;
+std::int64_t FrameSource::frame_count() const {
   const auto format = format_of(*this);
   std::int64_t index = 0;
   std::int64_t frames = 0;
   for (std::int64_t step = 0; format->next(step); ++index)
     if (format->take()) frames = index + 1;
+  return frames;
+}
+
+FrameSelection FrameSource::settled_selection() const {
+  if (!selection.counts_from_the_end()) return selection;
+  const std::int64_t frames = frame_count();
+  if (selection.first + frames < 0 && selection.last >= selection.first)
+    notes->add(
+        fmt::format("--frames: frame {} is the first one, {} would be before it", -frames, selection.first));
   return selection.among(frames);
+}
+
+Error FrameSource::no_frame_selected() const {
+  const std::int64_t frames = frame_count();
+  const std::string all = frames > 1 ? fmt::format(" of 0 to {}", frames - 1) : "";
+  return bad_input({files().front()}, "no frame is selected",
+                   fmt::format("frames{} that --frames and --steps select", all), "0");
 }
 
 FrameStream::FrameStream(const FrameSource& source)
@@ -151,7 +168,11 @@ bool FrameStream::is_looked_at_closely(std::int64_t step) {
 
 UnpackFrame FrameStream::take_raw() {
   std::int64_t step = 0;
-  while (!over_ && format_->next(step)) {
+  while (!over_) {
+    if (!format_->next(step)) {
+      note_last_frame();
+      break;
+    }
     ++index_;
     // A later run begins with small steps again.
     over_ = one_run_ ? selection_.over_after(index_, step) : index_ >= selection_.last;
@@ -161,6 +182,14 @@ UnpackFrame FrameStream::take_raw() {
     if (UnpackFrame unpack = format_->take(closely_)) return unpack;
   }
   return {};
+}
+
+// A last frame that was asked for and is not there.
+void FrameStream::note_last_frame() {
+  over_ = true;
+  const bool asked_for = of_all_ranks_.last < std::numeric_limits<std::int64_t>::max();
+  if (asked_for && of_all_ranks_.last > index_ && selected_ > 0)
+    notes_->add(fmt::format("--frames: frame {} is the last one, not {}", index_, of_all_ranks_.last));
 }
 
 bool FrameStream::next(Frame& frame) {

@@ -52,6 +52,10 @@ struct FrameSource {
   std::vector<Run> runs() const;
   /// The selection counted from the beginning, for which frames are counted where it must be.
   FrameSelection settled_selection() const;
+  /// How many frames there are, for which they are read.
+  std::int64_t frame_count() const;
+  /// What to throw where none of them is selected.
+  Error no_frame_selected() const;
   /// All files there are.
   std::vector<std::string> files() const;
 };
@@ -84,6 +88,7 @@ class FrameStream {
 
  private:
   UnpackFrame take_raw();
+  void note_last_frame();
   bool is_looked_at_closely(std::int64_t step);
 
   FrameSelection selection_, of_all_ranks_;

@@ -89,6 +89,24 @@ Hdf5Id open_after_kill(const std::string& file, const Hdf5Id& access) {
   return id;
 }
 
+// Words of fixed length, as other programs write them.
+std::vector<std::string> fixed_texts(const Hdf5Id& attribute, const Hdf5Id& type, std::size_t count,
+                                     const std::string& place) {
+  const std::size_t length = H5Tget_size(type.get());
+  std::string letters(count * length, '\0');
+  if (H5Aget_storage_size(attribute.get()) != letters.size() ||
+      H5Aread(attribute.get(), type.get(), letters.data()) < 0)
+    cannot_read(place);
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::string text = letters.substr(i * length, length);
+    text.resize(std::min(text.find('\0'), text.size()));
+    text.resize(text.find_last_not_of(' ') + 1);
+    texts.push_back(std::move(text));
+  }
+  return texts;
+}
+
 // A list of properties for a new object: the same content makes the same file at any time.
 Hdf5Id without_times(hid_t kind) {
   Hdf5Id list(H5Pcreate(kind), H5Pclose);
@@ -310,6 +328,10 @@ std::vector<std::string> Hdf5File::text_attribute(const std::string& path, const
   const Hdf5Id space(H5Aget_space(id.get()), H5Sclose);
   const auto count = H5Sget_simple_extent_npoints(space.get());
   if (count < 0) cannot_read(fmt::format("{}:{}@{}", file_, path, name));
+  const Hdf5Id stored(H5Aget_type(id.get()), H5Tclose);
+  if (H5Tget_class(stored.get()) == H5T_STRING && H5Tis_variable_str(stored.get()) == 0)
+    return fixed_texts(id, stored, static_cast<std::size_t>(count),
+                       fmt::format("{}:{}@{}", file_, path, name));
   std::vector<char*> texts(static_cast<std::size_t>(count), nullptr);
   const Hdf5Id type = text_type(H5T_VARIABLE, H5T_CSET_UTF8);
   if (H5Aread(id.get(), type.get(), texts.data()) < 0)

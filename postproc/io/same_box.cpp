@@ -6,6 +6,11 @@
 
 namespace mikromakro {
 
+bool jumps(const Box& before, const Box& after) {
+  constexpr double tenth = 0.1;
+  return ((before.length() - after.length()).array().abs() > tenth * before.length().array()).any();
+}
+
 void check_same_box(const Box& of_particles, const Box& of_contacts, const Place& place) {
   const Box &one = of_particles, &other = of_contacts;
   constexpr double digits = 1e-5;  // of the shorter of both formats

@@ -6,6 +6,14 @@
 
 namespace mikromakro {
 
+/// Whether a side is longer or shorter by more than a tenth: more than a box that a run deforms does from one
+/// frame to the next.
+bool jumps(const Box& before, const Box& after);
+
+/// The note where the number of discs is another one, too.
+inline constexpr const char* another_system =
+    "the box and the number of discs are not those of the frames before (another run?)";
+
 /// Throws where the box above the contacts, which stands at `place`, is not that of the particles: bounds to
 /// five digits, boundaries where both files tell them.
 void check_same_box(const Box& of_particles, const Box& of_contacts, const Place& place);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <functional>
 #include <numeric>
 
@@ -30,11 +31,17 @@ void check(const std::string& file, const std::string& name, const std::string& 
   throw bad_input({file}, fmt::format("is of another system, {} differs", name), there, wanted);
 }
 
-// None where there are none, or in another unit (empty: without one).
-std::vector<double> numbers_in(const Hdf5File& file, const std::string& name, const std::string& unit) {
+// Empty: without one, or none there.
+std::string unit_of(const Hdf5File& file, const std::string& name) {
   const std::string path = snapshot::parameters + "/" + name;
-  if (!file.has(path) || file.has_attribute(path, "unit") == unit.empty()) return {};
-  if (!unit.empty() && file.text_attribute(path, "unit") != std::vector<std::string>{unit}) return {};
+  if (!file.has(path) || !file.has_attribute(path, "unit")) return "";
+  return fmt::format("{}", fmt::join(file.text_attribute(path, "unit"), " "));
+}
+
+// None where there are none.
+std::vector<double> numbers_in(const Hdf5File& file, const std::string& name) {
+  const std::string path = snapshot::parameters + "/" + name;
+  if (!file.has(path)) return {};
   const Hdf5Dataset dataset = file.dataset(path);
   const Hdf5Shape shape = dataset.shape();
   std::vector<double> numbers(
@@ -43,18 +50,41 @@ std::vector<double> numbers_in(const Hdf5File& file, const std::string& name, co
   return numbers;
 }
 
+Error wrong_constant(const std::string& file, const std::string& name, std::string_view expected,
+                     const std::string& got) {
+  return bad_input({file}, fmt::format("{}/{}", snapshot::parameters, name), expected, got);
+}
+
+void check_unit(const Hdf5File& file, const std::string& name, std::string_view expected,
+                const std::string& place) {
+  const std::string unit = unit_of(file, name);
+  if (unit != expected) throw wrong_constant(place, name, fmt::format("in {}", expected), in_quotes(unit));
+}
+
+double height_in(const Hdf5File& file, const std::string& place) {
+  const std::vector<double> heights = numbers_in(file, "height");
+  if (heights.empty()) return 0;
+  check_unit(file, "height", "m", place);
+  if (heights.size() != 1 || !(heights[0] > 0) || !std::isfinite(heights[0]))
+    throw wrong_constant(place, "height", "one length above 0", text_of(heights));
+  return heights[0];
+}
+
 }  // namespace
 
-RunConstants read_constants(const Hdf5File& file) {
+RunConstants read_constants(const Hdf5File& file, const std::string& name) {
   RunConstants constants;
   if (!file.has(snapshot::parameters)) return constants;
   if (file.has_attribute(snapshot::parameters, "units"))
     constants.units = file.text_attribute(snapshot::parameters, "units").front();
-  if (const auto heights = numbers_in(file, "height", "m"); heights.size() == 1)
-    constants.height = heights[0];
-  constants.normal_stiffness = numbers_in(file, "kn", "N/m");
-  constants.hertz = !numbers_in(file, "kn", "N/m^2").empty();
-  constants.friction = numbers_in(file, "coefficientFriction", "");
+  constants.height = height_in(file, name);
+  constants.friction = numbers_in(file, "coefficientFriction");
+  constants.normal_stiffness = numbers_in(file, "kn");
+  constants.hertz = unit_of(file, "kn") == "N/m^2";
+  if (constants.hertz)
+    constants.normal_stiffness.clear();
+  else if (!constants.normal_stiffness.empty())
+    check_unit(file, "kn", "N/m", name);
   return constants;
 }
 

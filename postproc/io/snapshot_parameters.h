@@ -34,7 +34,7 @@ struct RunConstants {
   bool hertz = false;                    ///< whose kn (N/m^2) is no stiffness of that kind
   std::vector<double> friction;          ///< mu of all pairs of types
 };
-RunConstants read_constants(const Hdf5File& file);
+RunConstants read_constants(const Hdf5File& file, const std::string& name);
 
 void write_parameters(Hdf5File& file, const SnapshotParameters& parameters);
 

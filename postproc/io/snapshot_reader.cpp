@@ -12,6 +12,7 @@
 
 #include "io/chunk_reader.h"
 #include "io/particle_reader.h"
+#include "io/same_box.h"
 #include "io/snapshot_layout.h"
 
 namespace mikromakro {
@@ -19,6 +20,7 @@ namespace {
 
 constexpr std::uint64_t most_rows = 0x7fffffff;
 const std::string steps_path = "/particles/discs/position/step";
+const std::string times_path = "/particles/discs/position/time";
 
 ColumnNames without_option(const ColumnNames& names) {
   return {names.known, names.ignored, ""};
@@ -93,9 +95,15 @@ void fill_block(const std::vector<Stripe>& stripes, std::size_t begin, std::span
   }
 }
 
-}  // namespace
-
-namespace {
+// Files of other programs may have other units; a file of ours says its own. None: SI.
+void check_unit(const Hdf5File& file, const std::string& path, std::string_view unit,
+                const std::string& name) {
+  if (unit.empty() || !file.has_attribute(path, "unit")) return;
+  const std::vector<std::string> there = file.text_attribute(path, "unit");
+  if (there.size() != 1 || there.front() != unit)
+    throw bad_input({name}, fmt::format("{} has another unit", path), in_quotes(unit),
+                    in_quotes(fmt::format("{}", fmt::join(there, " "))));
+}
 
 // One or two numbers for each place of each frame; other programs write three coordinates.
 void check_shape(const Hdf5File& file, const snapshot::Element& element, const std::string& name) {
@@ -110,6 +118,35 @@ void check_shape(const Hdf5File& file, const snapshot::Element& element, const s
 
 }  // namespace
 
+namespace {
+
+void check_steps_of_contacts(const Hdf5File& file, const std::vector<std::int64_t>& steps,
+                             const std::string& name) {
+  if (!file.has(snapshot::contacts + "step")) return;
+  const std::vector<std::int64_t> of_contacts = all_of(file, snapshot::contacts + "step");
+  const auto [step, other] =
+      std::mismatch(steps.begin(), steps.end(), of_contacts.begin(), of_contacts.end());
+  if (step == steps.end()) return;
+  throw bad_input({name}, "contacts are not of the steps of the discs", fmt::format("step {}", *step),
+                  other == of_contacts.end() ? "none" : fmt::format("{}", *other));
+}
+
+// In s, of each step; empty where the file has none.
+std::vector<double> times_of(const Hdf5File& file, std::size_t frames, const std::string& name) {
+  if (!file.has(times_path)) return {};
+  check_unit(file, times_path, "s", name);
+  const Hdf5Dataset dataset = file.dataset(times_path);
+  const Hdf5Shape shape = dataset.shape();
+  if (shape.size() != 1 || shape[0] < frames)
+    throw bad_input({name}, fmt::format("{} has another shape", times_path), fmt::format("{} times", frames),
+                    fmt::format("{}", fmt::join(shape, " x ")));
+  std::vector<double> times(frames);
+  dataset.read<double>({{0}, {frames}}, times);
+  return times;
+}
+
+}  // namespace
+
 SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& name) {
   if (!file.has("/h5md") || !file.has(steps_path) || !file.has("/particles/discs/id/value"))
     throw bad_input({name}, "no snapshots in the file",
@@ -120,6 +157,7 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
   for (const auto& element : snapshot::elements)
     if (file.has(value_path(element))) {
       check_shape(file, element, name);
+      check_unit(file, value_path(element), element.unit, name);
       summary.particles_given |= element.columns();
     }
   const Hdf5Shape shape = file.dataset("/particles/discs/id/value").shape();
@@ -133,7 +171,11 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
   summary.most_particles = shape[1];
   if (!file.has(snapshot::contacts + "offset")) return summary;
   for (std::size_t slot = 0; slot < std::size(contact_column_names); ++slot)
-    if (file.has(contact_path(slot))) summary.contacts_given |= ColumnSet{1} << slot;
+    if (file.has(contact_path(slot))) {
+      check_unit(file, contact_path(slot), snapshot::contact_units[slot], name);
+      summary.contacts_given |= ColumnSet{1} << slot;
+    }
+  check_steps_of_contacts(file, summary.steps, name);
   summary.contact_offsets = all_of(file, snapshot::contacts + "offset");
   auto& offsets = summary.contact_offsets;
   offsets.resize(std::min(offsets.size(), summary.steps.size() + 1));
@@ -181,7 +223,10 @@ struct Boxes {
 
 struct SnapshotReader::Open {
   Open(const std::string& name, const ColumnWishes& wishes)
-      : file(Hdf5File::open(name)), summary(summarise_snapshots(file, name)), boxes(file, summary, name) {
+      : file(Hdf5File::open(name)),
+        summary(summarise_snapshots(file, name)),
+        boxes(file, summary, name),
+        times(times_of(file, summary.steps.size(), name)) {
     const ColumnMap particles{{}, summary.particles_given};
     require_columns(particles,
                     wishes.particles_needed | particle_base_columns | column_set(ParticleColumn::id),
@@ -203,9 +248,18 @@ struct SnapshotReader::Open {
   Hdf5File file;
   SnapshotSummary summary;
   Boxes boxes;
+  std::vector<double> times;          // s; none where the file has none
   std::vector<ChunkReader> elements;  // by the order of snapshot::elements
   std::vector<ChunkReader> columns;   // by ContactColumn
 };
+
+// Where both have frames.
+bool SnapshotReader::are_of_two_systems(const Open& before, const Open& after) {
+  const std::size_t frames = before.summary.steps.size();
+  return frames > 0 && !after.summary.steps.empty() &&
+         before.summary.most_particles != after.summary.most_particles &&
+         jumps(before.boxes.of(frames - 1), after.boxes.of(0));
+}
 
 SnapshotReader::SnapshotReader(std::vector<std::string> files, ColumnWishes wishes)
     : files_(std::move(files)), wishes_(std::move(wishes)) {}
@@ -223,6 +277,8 @@ bool SnapshotReader::open_next() {
   open_ = std::make_unique<Open>(file, wishes_);
   if (before && before->boxes.periodic != open_->boxes.periodic && wishes_.notes)
     wishes_.notes->add(file + ": the boundaries are not those of the files before (another run?)");
+  if (before && wishes_.notes && are_of_two_systems(*before, *open_))
+    wishes_.notes->add(file + ": " + another_system);
   frame_ = 0;
   return true;
 }
@@ -242,6 +298,7 @@ bool SnapshotReader::next(std::int64_t& step) {
 struct SnapshotReader::Packed {
   std::string place;
   std::int64_t step = 0;
+  double time = not_given;
   Box box;
   ColumnSet particles_given = 0;
   std::vector<PackedNumbers> elements;
@@ -261,6 +318,7 @@ UnpackFrame SnapshotReader::take(bool closely) {
   const std::uint64_t frame = frame_ - 1;
   packed->place = place();
   packed->step = last_step_;
+  if (!open_->times.empty()) packed->time = open_->times[frame];
   packed->box = open_->boxes.of(frame);
   packed->particles_given = summary.particles_given;
   for (std::size_t i = 0; i < std::size(snapshot::elements); ++i) {
@@ -287,6 +345,7 @@ UnpackFrame SnapshotReader::take(bool closely) {
 
 void SnapshotReader::Packed::unpack(RawFrame& frame) const {
   frame.step = step;
+  frame.time = time;
   frame.box = box;
   unpack_particles(frame);
   frame.with_contacts = with_contacts;

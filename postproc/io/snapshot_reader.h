@@ -38,6 +38,7 @@ class SnapshotReader : public FrameFormat {
   struct Open;
   struct Packed;
   bool open_next();
+  static bool are_of_two_systems(const Open& before, const Open& after);
   std::string place() const;
 
   std::vector<std::string> files_;

@@ -67,6 +67,7 @@ bool TextFrames::next(std::int64_t& step) {
   if (!frames_.next()) return false;
   step = frames_.header(0).step;
   check_boundaries();
+  check_system();
   find_units();
   return true;
 }
@@ -79,6 +80,13 @@ void TextFrames::check_boundaries() {
     wishes_->notes->add(frames_.file(0) +
                         ": the boundaries are not those of the frames before (another run?)");
   last_box_ = box;
+}
+
+void TextFrames::check_system() {
+  const DumpHeader& header = frames_.header(0);
+  if (last_size_ && last_size_->rows != header.rows && jumps(last_size_->box, header.box))
+    wishes_->notes->add(frames_.file(0) + ": " + another_system);
+  last_size_ = {header.box, header.rows};
 }
 
 // LAMMPS names them before the first frame of the first file only, and perhaps in one of the dumps only.

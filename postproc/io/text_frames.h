@@ -43,6 +43,7 @@ class TextFrames : public FrameFormat {
  private:
   struct Packed;
   void check_boundaries();
+  void check_system();
   void find_units();
 
   std::shared_ptr<const ColumnWishes> wishes_;
@@ -53,6 +54,11 @@ class TextFrames : public FrameFormat {
   Units units_;
   bool some_taken_ = false;
   std::optional<Box> last_box_;
+  struct Size {
+    Box box;
+    std::int64_t rows;
+  };
+  std::optional<Size> last_size_;  ///< of the frame before
 };
 
 }  // namespace mikromakro

@@ -124,6 +124,19 @@ void check_values(CLI::App& app) {
   }
 }
 
+void check_lists(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::Option* option = nullptr;
+  for (const std::string& word : words) {
+    const std::size_t sign = word.starts_with("--") ? word.find('=') : std::string::npos;
+    if (const CLI::Option* named = app.get_option_no_throw(word.substr(0, sign))) option = named;
+    if (option == nullptr || option->get_delimiter() == '\0') continue;
+    const std::string list = ',' + (sign == std::string::npos ? word : word.substr(sign + 1)) + ',';
+    if (list != ",," && list.find(",,") != std::string::npos)
+      throw bad_input({option->get_name()}, "an empty item in the list", "something between commas",
+                      in_quotes(word));
+  }
+}
+
 std::string complaint(const CLI::App& app, const CLI::ParseError& error, std::string_view listed) {
   std::string message = error.what();
   if (error.get_name() == "ValidationError") return message;

@@ -20,6 +20,10 @@ CLI::Validator one_of(std::vector<std::string_view> names);
 /// had not been given. To be called when all options are there.
 void check_values(CLI::App& app);
 
+/// Throws at a list with commas that has an empty item (`0.03,,0.05`), which the parser would leave out.
+/// `words` in their order, names of options with their dashes.
+void check_lists(const CLI::App& app, const std::vector<std::string>& words);
+
 /// What is wrong with the words that `app` was given, in the same form, with the option's name in front;
 /// `listed` says where its options stand.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error, std::string_view listed);

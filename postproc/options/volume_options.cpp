@@ -93,9 +93,7 @@ double extent(const VolumeOptions& options) {
 // A kernel that sees the volumes as a point shows nothing of them, and takes long.
 void check_width(const VolumeOptions& options) {
   constexpr double widest = 1000;
-  const auto colon = options.weight.find(':');
-  if (colon == std::string::npos) return;
-  const double width = std::strtod(options.weight.c_str() + colon + 1, nullptr);
+  const double width = kernel_width(options);
   if (width > widest * extent(options))
     throw bad_input({"--weight"}, "the kernel is much wider than all volumes together",
                     fmt::format("a width of {:.3g} m or less", widest * extent(options)),
@@ -169,6 +167,11 @@ VolumeOptions at_resolution(const VolumeOptions& options, int resolution) {
                     options.edges.empty() ? "--box" : "--edges");
   }
   return other;
+}
+
+double kernel_width(const VolumeOptions& options) {
+  const auto colon = options.weight.find(':');
+  return colon == std::string::npos ? 0 : std::strtod(options.weight.c_str() + colon + 1, nullptr);
 }
 
 double thickness(const VolumeOptions& options) {

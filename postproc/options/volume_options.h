@@ -30,6 +30,9 @@ int resolution_of(const VolumeOptions& options);
 /// --grid, and for resolutions below 1.
 VolumeOptions at_resolution(const VolumeOptions& options, int resolution);
 
+/// W of --weight NAME:W (m); 0 where it is no kernel.
+double kernel_width(const VolumeOptions& options);
+
 /// The height, 1 where it is not known.
 double thickness(const VolumeOptions& options);
 

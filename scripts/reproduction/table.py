@@ -4,11 +4,11 @@ import functools
 
 import numpy as np
 
-from reproduction import profiles, thresholds
+from reproduction import fabric, packings, profiles, thresholds
 from reproduction.figures import LAW_NAMES, run_b
 from reproduction.profiles import HEIGHT, K_N, OMEGA, R_I, R_O, from_wheel
 from reproduction.simulations import isotropic
-from reproduction.study import LADDERS, LAWS, PITCHES, RUNS, SEEDS, ladder, pitches, seeds, slow_run
+from reproduction.study import LADDERS, LAWS, PITCHES, RUNS, SAMPLE_SEEDS, ladder, pitches, seeds, slow_run
 
 
 @dataclasses.dataclass
@@ -143,14 +143,18 @@ def column(run, law):
 GROUPS = {column(run, law): Group(f"the table's run {run} under {LAW_NAMES[law]}", seeds(run, law), functools.partial(cells, run, law))
           for law in LAWS for run in RUNS}
 
-SAMPLES = [isotropic("bidisperse", 0.0005, 0.0015, seed=seed) for seed in SEEDS]
+SAMPLES = [isotropic("bidisperse", 0.0005, 0.0015, seed=seed) for seed in SAMPLE_SEEDS]
 
 
 def fabric_factor():
-    boxes = [profiles.box(run) for run in SAMPLES]
-    ours = [box["tr_F"][0] / (box["nu"][0] * box["coordination_number_averaged"][0]) for box in boxes]
-    return [["g_2 of the radii, 1:3", "1.223", f"{boxes[0]['g2'][0]:.4f}", "Eq. 10, half of the discs of either radius"],
-            ["tr F/(nu C), radii 1:3", "1.223", cell(*over_seeds(ours), 1.223, 3), "three samples of 600 discs at rest under 200 N/m"]]
+    made = [fabric.sample(run) for run in SAMPLES]
+    remark = f"{len(made)} samples of 600 discs at rest under 200 N/m"
+    carriers = over_seeds([one.g2_of_carriers for one in made])
+    return [["g_2 of the radii, 1:3", "1.223", f"{made[0].g2:.4f}", "Eq. 10, half of the discs of either radius"],
+            ["tr F/(nu C), radii 1:3, all discs", "1.223", cell(*over_seeds([one.fabric / one.product for one in made]), 1.223, 3), remark],
+            ["g_2 of the discs that carry contacts, 1:3", "-", cell(*carriers, None, 3), f"{100 * np.mean([one.share_of_carriers for one in made]):.0f} % of the discs"],
+            ["tr F/(nu C), radii 1:3, discs that carry contacts", f"{carriers[0]:.3f} (its g_2)",
+             cell(*over_seeds([one.fabric / one.product_of_carriers for one in made]), carriers[0], 3), "the same samples; nu and C of these discs alone"]]
 
 
 def angle(run, tensor):
@@ -233,12 +237,12 @@ def chi_square(fits, key):
 
 
 def between_packings():
-    fits = [profiles.fit(run, 60) for run in seeds("B", "viscous")]
+    fits = [profiles.fit(run, 60) for run in packings.packings()]
     return ["chi^2 per degree of freedom of v0; s of the packings, run B, Eq. 1", "-", "; ".join(f"{chi_square(fits, key):.1f}" for key in ("v0", "s")),
             f"{len(fits)} seeds, in the standard errors of one run each; above 1: packings differ by more than one run can know"]
 
 
 GROUPS["trends"] = Group("the table's trends", [run for law in LAWS for run in (run_b(law), *ladder(LAW_NAMES[law]))], trends)
-GROUPS["causes"] = Group("the table's causes: what v_0 and s depend on", [*(run for _, run, _ in changes_of_run_b()), seeds("B", "viscous")[-1]], causes)
+GROUPS["causes"] = Group("the table's causes: what v_0 and s depend on", [*(run for _, run, _ in changes_of_run_b()), *packings.packings()], causes)
 GROUPS["g2"] = Group("the table's g_2", SAMPLES, fabric_factor)
 GROUPS["critical_densities"] = Group("the table's thresholds", thresholds.simulations(), thresholds.rows)
