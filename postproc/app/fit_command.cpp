@@ -131,6 +131,13 @@ double residuals_over_errors(const RingProfile& profile, const FitReport& report
   return std::sqrt((residual / profile.error(fitted.used)).square().mean());
 }
 
+// Rings in the range with a value, but without a weight.
+Eigen::Index left_out(const RingProfile& profile, const FitReport& report) {
+  const FitWay& way = report.way;
+  return (profile.r >= way.from && profile.r <= way.to && profile.v.isFinite()).count() -
+         static_cast<Eigen::Index>(report.fitted.used.size());
+}
+
 FitReport fit_files(const FitOptions& options) {
   std::vector<CsvTable> tables;
   std::vector<RingProfile> profiles;
@@ -148,6 +155,10 @@ FitReport fit_files(const FitOptions& options) {
   const Eigen::ArrayXd r = profile.r(report.fitted.used);
   report.first_r = r.minCoeff();
   report.last_r = r.maxCoeff();
+  if (const auto without = options.weights == "errors" ? left_out(profile, report) : 0; without > 0)
+    fmt::print(stderr,
+               "mikromakro: warning: --weights errors: {} rings have no error above 0 and are left out\n",
+               without);
   report.errors = errors_of(options, table, profile, report);
   report.residuals_over_errors = residuals_over_errors(profile, report);
   report.choices = fit_choices(profiles, report.r_i, report.way, report.fitted.s, options.said);
