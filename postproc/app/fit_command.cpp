@@ -57,6 +57,9 @@ void check_rings(const CsvTable& table) {
 
 CsvTable ring_table(const std::string& file) {
   CsvTable table(file);
+  if (table.has("block") && table.has("frames"))
+    throw bad_input({file}, "the table is one of blocks", "it as --blocks, beside the table of all frames",
+                    "it as a table");
   if (!table.has("r"))
     throw bad_input({file}, "the table is not one of rings", "a column r, as of average --rings", "none");
   if (table.has("phi_begin"))
@@ -96,6 +99,10 @@ void take_wheel(const FitOptions& options, const CsvTable& table, FitReport& rep
   report.omega = options.omega;
   report.r_i = std::isnan(options.ri) ? table.column("r_inner")[0] : options.ri;
   report.scale = report.omega * report.r_i;
+  const double last = table.column("r").maxCoeff();
+  if (report.r_i > last)
+    throw bad_input({"--ri"}, "R_i lies behind all rings", fmt::format("less than {} m", last),
+                    fmt::format("{}", report.r_i));
   if (std::isnan(options.omega)) return;
   if (!report.unit.empty() && report.unit != unit_of_velocity)
     throw bad_input({"--omega"}, fmt::format("{} is no velocity", options.column),
