@@ -1,6 +1,7 @@
 #include "io/plausible_forces.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace mikromakro {
 
@@ -8,6 +9,10 @@ void note_overlaps_of_contacts(const std::vector<Particle>& particles, const std
                                const ContactRules& rules) {
   if (rules.notes == nullptr) return;
   constexpr double most = 0.5;  // radii
+  double deepest = 0, smallest = std::numeric_limits<double>::infinity();
+  for (const Contact& contact : contacts) deepest = std::max(deepest, contact.overlap);
+  for (const Particle& particle : particles) smallest = std::min(smallest, particle.radius);
+  if (!(deepest > most * smallest)) return;
   const auto radius = [&](int index) { return particles[static_cast<std::size_t>(index)].radius; };
   const auto deep = std::count_if(contacts.begin(), contacts.end(), [&](const Contact& contact) {
     const double one = radius(contact.index1);
