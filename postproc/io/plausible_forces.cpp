@@ -1,30 +1,8 @@
 #include "io/plausible_forces.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace mikromakro {
-
-void note_overlaps_of_contacts(const std::vector<Particle>& particles, const std::vector<Contact>& contacts,
-                               const ContactRules& rules) {
-  if (rules.notes == nullptr) return;
-  constexpr double most = 0.5;  // radii
-  double deepest = 0, smallest = std::numeric_limits<double>::infinity();
-  for (const Contact& contact : contacts) deepest = std::max(deepest, contact.overlap);
-  for (const Particle& particle : particles) smallest = std::min(smallest, particle.radius);
-  if (!(deepest > most * smallest)) return;
-  const auto radius = [&](int index) { return particles[static_cast<std::size_t>(index)].radius; };
-  const auto deep = std::count_if(contacts.begin(), contacts.end(), [&](const Contact& contact) {
-    const double one = radius(contact.index1);
-    const double smaller = contact.with_wall() ? one : std::min(one, radius(contact.index2));
-    return contact.overlap > most * smaller;
-  });
-  if (deep > 0)
-    rules.notes->add(
-        "contacts overlap by more than half of the smaller radius (k_n too small for the load, or a density "
-        "in kg/m^3 where rho h in kg/m^2 was meant?)",
-        rules.step, deep);
-}
 
 void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules) {
   if (rules.notes == nullptr || contacts.empty()) return;

@@ -119,13 +119,11 @@ struct SnapshotReader::Open {
     if (wishes.contacts_needed != 0)
       require_columns(contacts, required_contact_columns(wishes.contacts_needed, summary.contacts_given),
                       without_option(contact_names()), {name});
-    for (const auto& element : snapshot::elements)
-      elements.push_back((element.columns() & summary.particles_given) != 0
-                             ? ChunkReader(file.dataset(snapshot::value_path(element)))
-                             : ChunkReader());
+    for (Hdf5Dataset& dataset : summary.elements)
+      elements.push_back(dataset.id() >= 0 ? ChunkReader(std::move(dataset)) : ChunkReader());
     const ColumnSet wanted = wanted_contact_columns(wishes.contacts_needed, summary.contacts_given, true);
-    for (std::size_t slot = 0; slot < std::size(contact_column_names); ++slot)
-      columns.push_back((wanted >> slot & 1U) != 0 ? ChunkReader(file.dataset(snapshot::contact_path(slot)))
+    for (std::size_t slot = 0; slot < summary.columns.size(); ++slot)
+      columns.push_back((wanted >> slot & 1U) != 0 ? ChunkReader(std::move(summary.columns[slot]))
                                                    : ChunkReader());
   }
 

@@ -24,18 +24,17 @@ std::vector<std::int64_t> all_of(const Hdf5File& file, const std::string& path) 
 }
 
 // Files of other programs may have other units; a file of ours says its own. None: SI.
-void check_unit(const Hdf5File& file, const std::string& path, std::string_view unit,
+void check_unit(const Hdf5Dataset& dataset, const std::string& path, std::string_view unit,
                 const std::string& name) {
-  if (unit.empty() || !file.has_attribute(path, "unit")) return;
-  const std::vector<std::string> there = file.text_attribute(path, "unit");
-  if (there.size() != 1 || there.front() != unit)
+  if (unit.empty()) return;
+  const auto there = dataset.text_attribute("unit");
+  if (there && (there->size() != 1 || there->front() != unit))
     throw bad_input({name}, fmt::format("{} has another unit", path), in_quotes(unit),
-                    in_quotes(fmt::format("{}", fmt::join(there, " "))));
+                    in_quotes(fmt::format("{}", fmt::join(*there, " "))));
 }
 
 // One or two numbers for each place of each frame; other programs write three coordinates.
-void check_shape(const Hdf5File& file, const snapshot::Element& element, const std::string& name) {
-  const Hdf5Shape shape = file.dataset(snapshot::value_path(element)).shape();
+void check_shape(const Hdf5Shape& shape, const snapshot::Element& element, const std::string& name) {
   const auto width = static_cast<std::uint64_t>(element.width);
   const bool fits = width == 1 ? shape.size() == 2 : shape.size() == 3 && shape[2] == width;
   if (!fits)
@@ -58,8 +57,8 @@ void check_steps_of_contacts(const Hdf5File& file, const std::vector<std::int64_
 // In s, of each step; empty where the file has none.
 std::vector<double> times_of(const Hdf5File& file, std::size_t frames, const std::string& name) {
   if (!file.has(times_path)) return {};
-  check_unit(file, times_path, "s", name);
   const Hdf5Dataset dataset = file.dataset(times_path);
+  check_unit(dataset, times_path, "s", name);
   const Hdf5Shape shape = dataset.shape();
   if (shape.size() != 1 || shape[0] < frames)
     throw bad_input({name}, fmt::format("{} has another shape", times_path), fmt::format("{} times", frames),
@@ -79,13 +78,16 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
   summary.steps = all_of(file, steps_path);
   while (!summary.steps.empty() && summary.steps.back() == snapshot::no_id) summary.steps.pop_back();
   summary.times = times_of(file, summary.steps.size(), name);
-  for (const auto& element : snapshot::elements)
-    if (file.has(snapshot::value_path(element))) {
-      check_shape(file, element, name);
-      check_unit(file, snapshot::value_path(element), element.unit, name);
-      summary.particles_given |= element.columns();
-    }
-  const Hdf5Shape shape = file.dataset("/particles/discs/id/value").shape();
+  for (const auto& element : snapshot::elements) {
+    const std::string path = snapshot::value_path(element);
+    Hdf5Dataset& dataset = summary.elements.emplace_back();
+    if (!file.has(path)) continue;
+    dataset = file.dataset(path);
+    check_shape(dataset.shape(), element, name);
+    check_unit(dataset, path, element.unit, name);
+    summary.particles_given |= element.columns();
+  }
+  const Hdf5Shape shape = summary.elements.front().shape();  // of the ids
   if (shape.size() != 2 || shape[0] < summary.steps.size())
     throw bad_input({name}, "the frames do not fit together",
                     fmt::format("{} frames of ids", summary.steps.size()),
@@ -95,11 +97,14 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
                     fmt::format("{}", shape[1]));
   summary.most_particles = shape[1];
   if (!file.has(snapshot::contacts + "offset")) return summary;
-  for (std::size_t slot = 0; slot < std::size(contact_column_names); ++slot)
-    if (file.has(snapshot::contact_path(slot))) {
-      check_unit(file, snapshot::contact_path(slot), snapshot::contact_units[slot], name);
-      summary.contacts_given |= ColumnSet{1} << slot;
-    }
+  for (std::size_t slot = 0; slot < std::size(contact_column_names); ++slot) {
+    const std::string path = snapshot::contact_path(slot);
+    Hdf5Dataset& dataset = summary.columns.emplace_back();
+    if (!file.has(path)) continue;
+    dataset = file.dataset(path);
+    check_unit(dataset, path, snapshot::contact_units[slot], name);
+    summary.contacts_given |= ColumnSet{1} << slot;
+  }
   check_steps_of_contacts(file, summary.steps, name);
   summary.contact_offsets = all_of(file, snapshot::contacts + "offset");
   auto& offsets = summary.contact_offsets;
@@ -108,8 +113,7 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
       !std::is_sorted(offsets.begin(), offsets.end()))
     throw bad_input({name}, "contacts do not fit the frames", "offsets that ascend, one more than frames",
                     "others");
-  const std::uint64_t rows =
-      file.has(snapshot::contact_path(0)) ? file.dataset(snapshot::contact_path(0)).shape().front() : 0;
+  const std::uint64_t rows = (summary.contacts_given & 1U) != 0 ? summary.columns.front().shape().front() : 0;
   if (static_cast<std::uint64_t>(offsets.back()) > rows)
     throw bad_input({name}, "contacts are missing", fmt::format("{} rows", offsets.back()),
                     fmt::format("{}", rows));

@@ -18,6 +18,8 @@ struct SnapshotSummary {
   std::uint64_t most_particles = 0;
   ColumnSet particles_given = 0;
   ColumnSet contacts_given = 0;
+  std::vector<Hdf5Dataset> elements;  ///< in the order of snapshot::elements
+  std::vector<Hdf5Dataset> columns;   ///< by ContactColumn; empty: no contacts
 };
 /// Throws where datasets have other shapes or units than those of the layout, or do not fit together.
 SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& name);
