@@ -24,26 +24,11 @@ void note_kernel(const Frame& frame, const VolumeOptions& volumes, Notes& notes)
               frame.step);
 }
 
-void note_centre(const Frame& frame, const VolumeOptions& volumes, Notes& notes) {
-  if (!are_rings(volumes)) return;
-  const Eigen::Vector2d centre = ring_centre(volumes);
-  const auto& types = volumes.bulk_types;
-  const auto count = std::count_if(frame.particles.begin(), frame.particles.end(), [&](const Particle& disc) {
-    return disc.position == centre &&
-           (types.empty() || std::find(types.begin(), types.end(), disc.type) != types.end());
-  });
-  if (count > 0)
-    notes.add(
-        "discs lie exactly at the centre of the rings, where r and phi have no direction: theirs are x and y",
-        frame.step, count);
-}
-
 }  // namespace
 
 void note_volumes(const Frame& frame, const VolumeOptions& volumes, Notes& notes) {
   note_height(frame, volumes.height, notes);
   note_kernel(frame, volumes, notes);
-  note_centre(frame, volumes, notes);
 }
 
 void note_stiffness(const Frame& frame, double normal_stiffness, Notes& notes) {

@@ -7,8 +7,7 @@
 
 namespace mikromakro {
 
-/// Notes a height of more than 100 radii (in mm, say), a kernel that is wider than the box, and discs of the
-/// averaged types exactly at the centre of the rings, where r and phi have no direction.
+/// Notes a height of more than 100 radii (in mm, say), and a kernel that is wider than the box.
 void note_volumes(const Frame& frame, const VolumeOptions& volumes, Notes& notes);
 
 /// Notes where the median of f_n/overlap over some contacts is not `normal_stiffness` (N/m) within a factor
