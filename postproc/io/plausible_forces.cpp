@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "io/contact_tolerance.h"
+
 namespace mikromakro {
 
 void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules) {
@@ -22,6 +24,28 @@ void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules
     rules.notes->add(
         "contacts pull on the whole, or their forces are across (ids or columns exchanged? forces on the "
         "other disc?); without cohesion they push",
+        rules.step);
+}
+
+void note_derived_overlaps(const RawFrame& raw, const std::vector<Contact>& contacts,
+                           const ContactRules& rules) {
+  constexpr ColumnSet told = column_set(ContactColumn::overlap, ContactColumn::dist);
+  const bool needed = (raw.contacts.needed & column_set(ContactColumn::overlap)) != 0;
+  if (rules.notes == nullptr || !needed || (raw.contacts.given_in_all() & told) != 0) return;
+  const bool by_row = (raw.contacts.given_in_all() & column_set(ContactColumn::x1)) != 0;
+  const ContactTolerance tolerance(raw.contacts, raw.particles, raw.place_error);
+  double overlaps = 0, lost = 0;
+  for (const Contact& contact : contacts) {
+    if (contact.with_wall()) continue;
+    const double one = raw.particles[static_cast<std::size_t>(contact.index1)].radius;
+    const double two = raw.particles[static_cast<std::size_t>(contact.index2)].radius;
+    overlaps += contact.overlap;
+    lost += tolerance.of_geometry(std::min(one, two), one + two, not_given, by_row);
+  }
+  if (overlaps < lost / 3)
+    rules.notes->add(
+        "overlaps are not in the rows, and smaller than the digits of the coordinates: strain and stiffness "
+        "are not known (dump the overlap, or more digits)",
         rules.step);
 }
 
