@@ -73,7 +73,7 @@ double height_in(const Hdf5File& file, const std::string& place) {
 
 // Of each pair of types; none where there are none.
 std::vector<double> table_in(const Hdf5File& file, const std::string& name, const std::string& place) {
-  const std::vector<double> numbers = numbers_in(file, name);
+  std::vector<double> numbers = numbers_in(file, name);
   if (numbers.empty()) return numbers;
   const Hdf5Shape shape = file.dataset(snapshot::parameters + "/" + name).shape();
   if (shape.size() != 2 || shape[0] != shape[1])
