@@ -54,6 +54,23 @@ class BranchImages {
     return false;
   }
 
+  /// Whether that can be.
+  bool several_within(double reach) const {
+    return (length_.x() > 0 && length_.x() < 2 * reach) || (length_.y() > 0 && length_.y() < 2 * reach);
+  }
+
+  /// Visits the images that are shorter than `reach`, of `nearest` and the two on each of its sides: farther
+  /// ones overlap in boxes only that are shorter than the radius.
+  template <typename Visit>
+  void visit_within(double reach, const Eigen::Vector2d& nearest, Visit visit) const {
+    const int sides[] = {length_.x() > 0 ? 2 : 0, length_.y() > 0 ? 2 : 0};
+    for (int along_x = -sides[0]; along_x <= sides[0]; ++along_x)
+      for (int along_y = -sides[1]; along_y <= sides[1]; ++along_y) {
+        const Eigen::Vector2d image = nearest + Eigen::Vector2d(along_x * length_.x(), along_y * length_.y());
+        if (image.squaredNorm() < reach * reach) visit(image);
+      }
+  }
+
  private:
   Eigen::Vector2d length_ = Eigen::Vector2d::Zero();  // 0 along an axis that is not periodic
   bool any_ = false;

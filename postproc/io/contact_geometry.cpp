@@ -229,6 +229,9 @@ class Joiner {
                       "a periodic box in the dump of particles ('ITEM: BOX BOUNDS pp ...')", "periodic = 1");
     if (row.has(periodic) && images_.any() && is_inside(row.place(x1, y1)) && is_inside(row.place(x2, y2)))
       return direct_or_image(row, branch, reach, slack);
+    if (!row.has(periodic) && images_.two_within(reach, images_.nearest(branch)) &&
+        is_inside(row.place(x1, y1)) && is_inside(row.place(x2, y2)))
+      return touching_image(row, branch, reach, slack);
     return branch.norm() <= reach + slack ? branch : images_.nearest(branch);
   }
 
@@ -243,6 +246,24 @@ class Joiner {
     return is_direct ? branch : image;
   }
 
+  /// Of places that are in the box, wrapped perhaps, in one that is hardly wider than two discs: what the
+  /// rest of the row tells.
+  Vector2d touching_image(const Row& row, const Vector2d& branch, double reach, double slack) const {
+    if (row.has(normal_columns)) {
+      const double gap = row.has(overlap) ? -row[overlap] : 0;
+      return images_.nearest_to((reach + gap) * row.place(nx, ny), branch);
+    }
+    int fitting = 0;
+    Vector2d only = branch;
+    images_.visit_within(reach, images_.nearest(branch), [&](const Vector2d& image) {
+      if (row.has(overlap) && std::abs(reach - image.norm() - row[overlap]) > slack) return;
+      only = image;
+      ++fitting;
+    });
+    if (fitting > 1) refuse_images(row);
+    return only;
+  }
+
   bool is_inside(const Vector2d& place) const {
     const Box& box = discs_.box;
     return (place.array() >= box.low.array()).all() && (place.array() <= box.high.array()).all();
@@ -250,10 +271,12 @@ class Joiner {
 
   /// Only the nearest image touches, unless the box is narrower than the two discs.
   void check_one_image(const Row& row, const Vector2d& branch, double reach) const {
-    if (images_.two_within(reach, branch))
-      throw bad_input(rows_.place(row.index),
-                      "the discs touch through two images, the row does not say which",
-                      "columns nx ny or x1 y1 x2 y2", "neither");
+    if (images_.two_within(reach, branch)) refuse_images(row);
+  }
+
+  [[noreturn]] void refuse_images(const Row& row) const {
+    throw bad_input(rows_.place(row.index), "the discs touch through two images, the row does not say which",
+                    "columns nx ny", "none");
   }
 
   /// Sets what the row does not tell, checks what it tells.

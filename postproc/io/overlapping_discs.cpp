@@ -15,6 +15,12 @@ namespace {
 
 using Eigen::Vector2d;
 
+double largest_radius(const std::vector<Particle>& discs) {
+  double largest = 0;
+  for (const Particle& disc : discs) largest = std::max(largest, disc.radius);
+  return largest;
+}
+
 // The cells of a grid that a disc may reach, along one axis.
 struct Cells {
   std::int64_t begin = 0, count = 1;
@@ -25,15 +31,12 @@ struct Cells {
 class Grid {
  public:
   Grid(const std::vector<Particle>& discs, const Box& box) : low_(box.low) {
-    double sum = 0, largest = 0;
-    for (const Particle& disc : discs) {
-      sum += disc.radius;
-      largest = std::max(largest, disc.radius);
-    }
+    double sum = 0;
+    for (const Particle& disc : discs) sum += disc.radius;
     // A disc among much smaller ones would stand in thousands of cells.
     constexpr double most_cells_across = 16;
     const double mean = sum / static_cast<double>(std::max<std::size_t>(1, discs.size()));
-    const double wanted = std::max(4 * mean, 2 * largest / most_cells_across);
+    const double wanted = std::max(4 * mean, 2 * largest_radius(discs) / most_cells_across);
     const Vector2d length = box.length();
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
       cell_[axis] = wanted;
@@ -103,50 +106,69 @@ class Grid {
   std::vector<int> entries_;                           // indices of discs
 };
 
-// Visits each pair of discs that overlap with its overlap.
+// Visits each pair of discs that overlap, once for each image that does.
 template <typename Visit>
 void visit_overlaps(const std::vector<Particle>& discs, const Box& box, Visit visit) {
   const Grid grid(discs, box);
   const BranchImages images(box);
+  const bool several = images.several_within(2 * largest_radius(discs));
   std::vector<int> seen_by(discs.size(), -1);  // as two discs may share several cells
   for (int i = 0; i < std::ssize(discs); ++i) {
     const Particle& one = discs[static_cast<std::size_t>(i)];
     grid.visit_neighbours(one, [&](int j) {
-      if (j <= i || std::exchange(seen_by[static_cast<std::size_t>(j)], i) == i) return;
+      if (j < i || std::exchange(seen_by[static_cast<std::size_t>(j)], i) == i) return;
       const Particle& two = discs[static_cast<std::size_t>(j)];
       const double reach = one.radius + two.radius;
-      const Vector2d branch = images.nearest(two.position - one.position);
-      if (branch.squaredNorm() < reach * reach) visit(DiscPair{i, j, reach - branch.norm()});
+      const auto take = [&](const Vector2d& branch) {
+        // Of its own images a disc touches two at a time, in one contact.
+        const bool first_half = branch.x() > 0 || (branch.x() == 0 && branch.y() > 0);
+        if (i != j || first_half) visit(DiscPair{i, j, reach - branch.norm(), branch});
+      };
+      const Vector2d nearest = images.nearest(two.position - one.position);
+      if (several) {
+        images.visit_within(reach, nearest, take);
+      } else if (nearest.squaredNorm() < reach * reach) {
+        take(nearest);
+      }
     });
   }
 }
 
-// The partners of each disc that contacts name, under the smaller index of both.
+// The contacts of each disc by their partners, under the smaller index of both.
 class Listed {
  public:
-  Listed(const std::vector<Contact>& contacts, std::size_t discs) : begin_(discs + 1, 0) {
+  Listed(const std::vector<Contact>& contacts, std::size_t discs)
+      : contacts_(contacts), begin_(discs + 1, 0) {
     const auto pairs = [&](auto take) {
-      for (const Contact& contact : contacts)
-        if (!contact.with_wall())
-          take(static_cast<std::size_t>(std::min(contact.index1, contact.index2)),
-               std::max(contact.index1, contact.index2));
+      for (std::size_t i = 0; i < contacts.size(); ++i)
+        if (const Contact& contact = contacts[i]; !contact.with_wall())
+          take(static_cast<std::size_t>(std::min(contact.index1, contact.index2)), i);
     };
-    pairs([&](std::size_t first, int) { ++begin_[first + 1]; });
+    pairs([&](std::size_t first, std::size_t) { ++begin_[first + 1]; });
     for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-    partners_.resize(begin_.back());
+    of_disc_.resize(begin_.back());
     std::vector<std::size_t> next = begin_;
-    pairs([&](std::size_t first, int second) { partners_[next[first]++] = second; });
+    pairs([&](std::size_t first, std::size_t contact) { of_disc_[next[first]++] = contact; });
   }
 
+  /// Whether a contact names both discs, and points to that image of the second.
   bool has(const DiscPair& pair) const {
     const auto first = static_cast<std::size_t>(pair.first);
-    const auto partners = std::span(partners_).subspan(begin_[first], begin_[first + 1] - begin_[first]);
-    return std::find(partners.begin(), partners.end(), pair.second) != partners.end();
+    const auto of_disc = std::span(of_disc_).subspan(begin_[first], begin_[first + 1] - begin_[first]);
+    return std::any_of(of_disc.begin(), of_disc.end(), [&](std::size_t i) {
+      const Contact& contact = contacts_[i];
+      if (std::max(contact.index1, contact.index2) != pair.second) return false;
+      const double along = contact.normal.dot(pair.branch);
+      return (pair.first == pair.second      ? std::abs(along)
+              : contact.index1 == pair.first ? along
+                                             : -along) >= 0.9 * pair.branch.norm();
+    });
   }
 
  private:
+  const std::vector<Contact>& contacts_;
   std::vector<std::size_t> begin_;
-  std::vector<int> partners_;
+  std::vector<std::size_t> of_disc_;
 };
 
 bool is_averaged(const Particle& disc, const std::vector<int>& types) {

@@ -12,11 +12,12 @@ namespace mikromakro {
 struct DiscPair {
   int first = -1;  ///< index of a disc, the smaller one
   int second = -1;
-  double overlap = 0;  ///< a_1 + a_2 - distance of the nearest images, > 0
+  double overlap = 0;      ///< a_1 + a_2 - |branch|, > 0
+  Eigen::Vector2d branch;  ///< from the first to the image of the second, m
 };
 
-/// All pairs of discs that overlap, each once, in ascending order. In a periodic box it is the nearest image
-/// that counts; a disc and its own image are no pair. About as many operations as there are discs, of
+/// All pairs of discs that overlap, in ascending order; in a periodic box once for each image that overlaps,
+/// a disc with its own images too (both of a side are one). About as many operations as there are discs, of
 /// whatever sizes.
 std::vector<DiscPair> overlapping_discs(const std::vector<Particle>& discs, const Box& box);
 

@@ -122,6 +122,25 @@ TEST(JoinContacts, InANarrowBoxTheRowSaysWhichImageTouches) {
   EXPECT_EQ(refusal({{id1, 1}, {id2, 2}}, discs, false), "");
 }
 
+// Without the flag places in the box may be wrapped: the overlap or the normal tells, or nothing does. A
+// place outside of the box is meant as it stands.
+TEST(JoinContacts, InANarrowBoxPlacesAloneDoNotSayWhichImageTouches) {
+  const std::vector<Particle> discs = {disc(1, 1, 5, 2.9), disc(2, 5.5, 5, 2.9)};
+  const std::vector<Value> places = {{id1, 1}, {id2, 2}, {x1, 1}, {y1, 5}, {x2, 5.5}, {y2, 5}};
+  const auto normal_of = [&](std::vector<Value> row, const std::vector<Value>& rest) {
+    row.insert(row.end(), rest.begin(), rest.end());
+    ContactRows rows;
+    add_row(rows, row);
+    return join_one(rows, discs, box_of_ten(true)).normal[0];
+  };
+  EXPECT_DOUBLE_EQ(normal_of(places, {{overlap, 0.3}}), -1);
+  EXPECT_DOUBLE_EQ(normal_of(places, {{overlap, 1.3}}), 1);
+  EXPECT_DOUBLE_EQ(normal_of(places, {{nx, -1}, {ny, 0}}), -1);
+  EXPECT_DOUBLE_EQ(normal_of(places, {{nx, 1}, {ny, 0}}), 1);
+  EXPECT_NE(refusal(places, discs, true).find("touch through two images"), std::string::npos);
+  EXPECT_DOUBLE_EQ(normal_of({{id1, 1}, {id2, 2}, {x1, 1}, {y1, 5}, {x2, -4.5}, {y2, 5}}, {}), -1);
+}
+
 // Stock LIGGGHTS sets the flag across the border of two ranks, too.
 TEST(JoinContacts, PeriodicRowsMayBeOfDiscsSideBySide) {
   for (const bool box_is_periodic : {false, true}) {

@@ -64,15 +64,32 @@ TEST(OverlappingDiscs, KnowHowFarTheyOverlap) {
 
 TEST(OverlappingDiscs, MayBeNone) {
   EXPECT_TRUE(overlapping_discs({}, {}).empty());
-  EXPECT_TRUE(
-      overlapping_discs({disc(1, 0, 0, 1)}, {{0, 0}, {1, 1}, {true, true}}).empty());  // its own image
+  EXPECT_TRUE(overlapping_discs({disc(1, 0, 0, 1)}, {{0, 0}, {2, 3}, {true, true}}).empty());
+}
+
+// A box of 1.85 and 3: 0.95 apart directly, 0.9 through the boundary, and each disc touches its own image
+// along x where its diameter is more than 1.85.
+TEST(OverlappingDiscs, OfANarrowBoxTouchThroughSeveralImages) {
+  const Box box{{0, 0}, {1.85, 3}, {true, true}};
+  const auto both = overlapping_discs({disc(1, 0.4, 1, 0.5), disc(2, 1.35, 1, 0.5)}, box);
+  ASSERT_EQ(both.size(), 2U);
+  const auto direct = both[0].branch.x() > 0 ? 0U : 1U;
+  EXPECT_NEAR(both[direct].branch.x(), 0.95, 1e-15);
+  EXPECT_NEAR(both[1 - direct].branch.x(), -0.9, 1e-15);
+  EXPECT_NEAR(both[1 - direct].overlap, 0.1, 1e-15);
+
+  const auto own = overlapping_discs({disc(1, 0.4, 1, 1)}, box);
+  ASSERT_EQ(own.size(), 1U);
+  EXPECT_EQ(own[0].second, 0);
+  EXPECT_NEAR(own[0].overlap, 0.15, 1e-15);
 }
 
 std::string notes_of(const std::vector<Particle>& discs, const std::vector<Contact>& contacts,
-                     const std::vector<int>& types = {}, bool with_contacts = true) {
+                     const std::vector<int>& types = {}, bool with_contacts = true,
+                     const Box& box = {{0, 0}, {10, 10}}) {
   RawFrame raw;
   raw.step = 5;
-  raw.box = {{0, 0}, {10, 10}};
+  raw.box = box;
   raw.particles = discs;
   raw.with_contacts = with_contacts;
   Notes notes;
@@ -82,9 +99,10 @@ std::string notes_of(const std::vector<Particle>& discs, const std::vector<Conta
   return all;
 }
 
-Contact contact_of(int first, int second) {
+Contact contact_of(int first, int second, const Eigen::Vector2d& normal) {
   Contact contact;
   contact.id2 = second + 1;
+  contact.normal = normal;
   contact.index1 = first;
   contact.index2 = second;
   return contact;
@@ -93,7 +111,8 @@ Contact contact_of(int first, int second) {
 TEST(NoteOverlaps, TellsOfContactsThatAreNotThere) {
   const std::vector<Particle> discs = {disc(1, 1, 1, 0.5, 1), disc(2, 1.9, 1, 0.5, 2),
                                        disc(3, 1, 1.9, 0.5, 2), disc(4, 1.9, 1.9, 0.5, 2)};
-  const std::vector<Contact> all = {contact_of(1, 0), contact_of(0, 2), contact_of(1, 3), contact_of(3, 2)};
+  const std::vector<Contact> all = {contact_of(1, 0, {-1, 0}), contact_of(0, 2, {0, 1}),
+                                    contact_of(1, 3, {0, 1}), contact_of(3, 2, {-1, 0})};
   EXPECT_EQ(notes_of(discs, all), "");
   const std::string without_two = notes_of(discs, {all[0], all[1]});
   EXPECT_NE(without_two.find("no row of a contact"), std::string::npos);
@@ -103,6 +122,22 @@ TEST(NoteOverlaps, TellsOfContactsThatAreNotThere) {
   EXPECT_NE(notes_of(discs, {all[0]}, {1}), "");
   // Without any file of contacts none are missed.
   EXPECT_EQ(notes_of(discs, {}, {}, false), "");
+}
+
+// The box of OfANarrowBoxTouchThroughSeveralImages: a row for each image is due.
+TEST(NoteOverlaps, OfANarrowBoxAreOneForEachImage) {
+  const Box box{{0, 0}, {1.85, 3}, {true, false}};
+  const std::vector<Particle> two = {disc(1, 0.4, 1, 0.5), disc(2, 1.35, 1, 0.5)};
+  const auto notes = [&](const std::vector<Particle>& discs, const std::vector<Contact>& contacts) {
+    return notes_of(discs, contacts, {}, true, box);
+  };
+  EXPECT_EQ(notes(two, {contact_of(0, 1, {1, 0}), contact_of(1, 0, {1, 0})}), "");
+  EXPECT_NE(notes(two, {contact_of(0, 1, {1, 0})}).find("no row of a contact"), std::string::npos);
+  EXPECT_NE(notes(two, {contact_of(1, 0, {1, 0})}).find("no row of a contact"), std::string::npos);
+
+  const std::vector<Particle> one = {disc(1, 0.4, 1, 1)};
+  EXPECT_EQ(notes(one, {contact_of(0, 0, {-1, 0})}), "");
+  EXPECT_NE(notes(one, {}).find("no row of a contact"), std::string::npos);
 }
 
 // Six digits of coordinates up to 10 do not tell an overlap of 1e-6.
