@@ -51,7 +51,9 @@ void convert(const ConvertOptions& options) {
   FrameStream stream(source);
   Frame frame;
   std::int64_t frames = 0;
+  double last_time = not_given;
   while (stream.next(frame)) {
+    note_time(frame, last_time, *source.notes);
     check_time(frame, stream.raw().particle_file, options.time_step);
     writer.add(stream.raw(), frame.particles);
     progress.update(stream.bytes_read(), ++frames);

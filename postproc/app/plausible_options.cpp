@@ -9,10 +9,10 @@ namespace mikromakro {
 namespace {
 
 void note_height(const Frame& frame, double height, Notes& notes) {
-  constexpr double most = 100;  // radii
+  constexpr double most = 100, least = 1e-4;  // radii
   if (!(height > 0) || frame.particles.empty()) return;
   const double radius = frame.particles.front().radius;
-  if (height > most * radius)
+  if (height > most * radius || height < least * radius)
     notes.add(
         fmt::format("--height {} is {:.3g} times the radius of a disc (it is in m)", height, height / radius),
         frame.step);

@@ -113,6 +113,11 @@ void compare_friction(const FrameSource& source, double mu) {
   }
 }
 
+void note_time(const Frame& frame, double& last, Notes& notes) {
+  if (frame.time < last) notes.add("times go back, though steps go on (time reset?)", frame.step);
+  last = frame.time;
+}
+
 void check_time(const Frame& frame, const std::string& file, double time_step) {
   constexpr double digits = 1e-5;
   const double wanted = time_step * static_cast<double>(frame.step);

@@ -22,4 +22,8 @@ void compare_friction(const FrameSource& source, double mu);
 /// step of its run may have changed.
 void check_time(const Frame& frame, const std::string& file, double time_step);
 
+/// Notes a frame whose time is before `last`, that of the frame before it (nan: not known), and goes on to
+/// it.
+void note_time(const Frame& frame, double& last, Notes& notes);
+
 }  // namespace mikromakro

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "averaging/averager.h"
+#include "io/error.h"
 
 namespace mikromakro {
 namespace {
@@ -91,6 +92,9 @@ Table Averager::solve(const Rows& mean_sums) const {
   table.columns = volumes_->columns();
   const Rows coordinates = volumes_->coordinates();
   const Rows solved = values(mean_sums);
+  if (solved.isInf().any())
+    throw run_failed("an average is too large for a number",
+                     "values below 1e308 (a height or another constant far off?)", "inf");
   for (Column& column : columns()) table.columns.push_back(std::move(column));
   table.rows.resize(volumes_->count(), coordinates.cols() + solved.cols());
   table.rows << coordinates, solved;

@@ -170,8 +170,8 @@ void check_contact_row(const ContactRow& row, ColumnSet given, bool guessed, con
       throw bad_input(place, with_hint("an id is no whole number", guessed), "a whole number",
                       fmt::format("{}", id));
   }
-  throw bad_input(place, with_hint("the normal is no unit vector", guessed), "length 1 within 1e-5",
-                  fmt::format("{}", std::hypot(row[nx], row[ny])));
+  throw bad_input(place, with_hint("the normal is no unit vector", guessed),
+                  "length 1 within 1e-5 (six digits)", fmt::format("{}", std::hypot(row[nx], row[ny])));
 }
 
 ColumnSet required_contact_columns(ColumnSet needed, ColumnSet given) {

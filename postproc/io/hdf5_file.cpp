@@ -169,7 +169,9 @@ Hdf5Shape Hdf5Dataset::shape() const {
 }
 
 void Hdf5Dataset::grow(const Hdf5Shape& shape) {
-  if (H5Dset_extent(id_.get(), shape.data()) < 0) cannot_write(place_);
+  if (H5Dset_extent(id_.get(), shape.data()) < 0)
+    throw run_failed(fmt::format("{}: cannot take more", place_),
+                     "space on the disk, and a dataset that may grow (written by mikromakro)", last_reason());
 }
 
 Hdf5Shape Hdf5Dataset::reach(const Hdf5Shape& shape) {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/error.h"
 #include "io/snapshot_layout.h"
@@ -68,6 +69,9 @@ std::vector<double> times_of(const Hdf5File& file, std::size_t frames, const std
                     fmt::format("{}", fmt::join(shape, " x ")));
   std::vector<double> times(frames);
   dataset.read<double>({{0}, {frames}}, times);
+  for (const double time : times)
+    if (!std::isfinite(time))
+      throw bad_input({dataset.place()}, "not a finite number", "a time", fmt::format("{}", time));
   return times;
 }
 
@@ -122,6 +126,10 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
       !std::is_sorted(offsets.begin(), offsets.end()))
     throw bad_input({name}, "contacts do not fit the frames", "offsets that ascend, one more than frames",
                     "others");
+  for (std::size_t frame = 1; frame < offsets.size(); ++frame)
+    if (static_cast<std::uint64_t>(offsets[frame] - offsets[frame - 1]) > most_rows)
+      throw bad_input({name}, "the number of contacts is that of no frame", "less than 2^31",
+                      fmt::format("{} in frame {}", offsets[frame] - offsets[frame - 1], frame));
   const std::uint64_t rows = (summary.contacts_given & 1U) != 0 ? summary.columns.front().shape().front() : 0;
   if (static_cast<std::uint64_t>(offsets.back()) > rows)
     throw bad_input({name}, "contacts are missing", fmt::format("{} rows", offsets.back()),
