@@ -24,6 +24,23 @@ void check_found(const FrameSource& source, const VolumeOptions& volumes, const 
   if ((averaged.sums.mean() == 0).all()) check_coverage(source, volumes);
 }
 
+// Knows the pieces of one run that are given as several.
+class Continuations {
+ public:
+  /// Whether the frame is the first of its run, and comes where the next one of the run before it would.
+  bool add(const FrameSums& frame) {
+    const bool goes_on = frame.run != run_ && interval_ > 0 && frame.step > step_ &&
+                         static_cast<double>(frame.step - step_) < 1.5 * static_cast<double>(interval_);
+    interval_ = frame.run == run_ ? frame.step - step_ : 0;
+    step_ = frame.step;
+    run_ = frame.run;
+    return goes_on;
+  }
+
+ private:
+  std::int64_t run_ = -1, step_ = 0, interval_ = 0;
+};
+
 }  // namespace
 
 int threads_of(const RunOptions& options, const Ranks& ranks) {
@@ -64,10 +81,17 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
     sum_in_order(next, look_and_sum, threads_of(options, ranks), take);
   };
   RepeatedFrames repeated;
+  Continuations continuations;
   ranks.gather_in_order(read_and_sum, [&](const FrameSums& frame) {
     if (!source.further_runs.empty() && repeated.add(frame))
       source.notes->add("frames are the same in two runs and count twice (one run in two forms?)",
                         frame.step);
+    if (continuations.add(frame))
+      source.notes->add(
+          "a run goes on where the run before it ended; as runs they count as independent (pieces of one "
+          "run? "
+          "all files behind one --particles)",
+          frame.step);
     averaged.add(frame.step, frame.sums, frame.run);
     progress.update(bytes, averaged.sums.frames());
   });
