@@ -13,6 +13,7 @@
 #include "atom.h"
 #include "compute.h"
 #include "disc_law.h"
+#include "domain.h"
 #include "engine_access.h"
 #include "first_rank.h"
 #include "fix.h"
@@ -48,6 +49,22 @@ void check_positive(LAMMPS& engine, const std::string& style, const std::string&
   stop(engine, style,
        "disc " + std::to_string(disc) + ": expected a " + what +
            " above 0; 'set ... diameter' and a density give it");
+}
+
+/// A disc that touches its own image has a contact that no row of contacts, and so no stress, holds.
+void check_box_width(LAMMPS& engine, const std::string& style) {
+  const Domain& domain = *engine.domain;
+  double largest = 0;
+  for (int i = 0; i < engine.atom->nlocal; ++i) largest = std::max(largest, engine.atom->radius[i]);
+  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, engine.world);
+  const bool periodic[] = {domain.xperiodic != 0, domain.yperiodic != 0};
+  for (int axis = 0; axis < 2; ++axis) {
+    if (!periodic[axis] || domain.prd[axis] >= 2 * largest) continue;
+    stop(engine, style,
+         std::string("expected a periodic box that is wider than a disc along ") + (axis == 0 ? "x" : "y") +
+             ", got " + text_of(domain.prd[axis]) + " m and a disc of " + text_of(2 * largest) +
+             " m: it would touch its own image");
+  }
 }
 
 /// Both would move it in each step.
@@ -152,6 +169,7 @@ void warn_of_spheres(LAMMPS& engine, const std::string& style) {
 void check_discs(LAMMPS& engine, const std::string& style) {
   check_positive(engine, style, "radius", engine.atom->radius);
   check_positive(engine, style, "mass", engine.atom->rmass);
+  check_box_width(engine, style);
   check_integrators(engine, style);
   warn_of_integrators(engine, style);
   warn_of_spheres(engine, style);

@@ -113,6 +113,27 @@ void insert_discs(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std
     stop(engine, style, std::to_string(missing) + " discs lie outside of the box (is z = 0 inside it?)");
 }
 
+namespace {
+
+// Those that reach into the box through its periodic boundaries, or nearly.
+void add_images(const LAMMPS_NS::Domain& domain, std::vector<physics::PlacedDisc>& discs) {
+  double largest = 0;
+  for (const auto& disc : discs) largest = std::max(largest, disc.radius);
+  const double near = 2 * largest;
+  const int sides_x = domain.xperiodic ? 1 : 0, sides_y = domain.yperiodic ? 1 : 0;
+  const std::size_t own = discs.size();
+  for (std::size_t k = 0; k < own; ++k)
+    for (int i = -sides_x; i <= sides_x; ++i)
+      for (int j = -sides_y; j <= sides_y; ++j) {
+        const double x = discs[k].x + i * domain.prd[0], y = discs[k].y + j * domain.prd[1];
+        const bool reaches = x > domain.boxlo[0] - near && x < domain.boxhi[0] + near &&
+                             y > domain.boxlo[1] - near && y < domain.boxhi[1] + near;
+        if ((i != 0 || j != 0) && reaches) discs.push_back({x, y, discs[k].radius});
+      }
+}
+
+}  // namespace
+
 std::vector<physics::PlacedDisc> existing_discs(LAMMPS_NS::LAMMPS& engine) {
   const LAMMPS_NS::Atom& atom = *engine.atom;
   std::vector<physics::PlacedDisc> own;
@@ -128,6 +149,7 @@ std::vector<physics::PlacedDisc> existing_discs(LAMMPS_NS::LAMMPS& engine) {
   std::vector<physics::PlacedDisc> all((starts.back() + sizes.back()) / doubles_per_disc);
   MPI_Allgatherv(own.data(), own_size, MPI_DOUBLE, all.data(), sizes.data(), starts.data(), MPI_DOUBLE,
                  engine.world);
+  add_images(*engine.domain, all);
   return all;
 }
 

@@ -36,7 +36,8 @@ void check_inside_box(LAMMPS_NS::LAMMPS& engine, const std::string& style, const
 void insert_discs(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std::vector<NewDisc>& discs,
                   double areal_density);
 
-// All discs that exist, of all ranks; their order depends on the number of ranks.
+// All discs that exist, of all ranks, and their images that reach into a periodic box; their order depends on
+// the number of ranks.
 std::vector<physics::PlacedDisc> existing_discs(LAMMPS_NS::LAMMPS& engine);
 
 // One line on screen and in the log file, from the first rank.

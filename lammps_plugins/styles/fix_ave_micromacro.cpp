@@ -176,6 +176,7 @@ void FixAveMicromacro::warn_of(const std::string& name, const std::string& keywo
 
 void FixAveMicromacro::count_steps_anew(LAMMPS_NS::bigint /*shift*/) {
   averaged_ = {no_sums(options_, *averager_), {}};
+  waiting_ = 0;
 }
 
 void FixAveMicromacro::end_of_step() {
@@ -186,15 +187,19 @@ void FixAveMicromacro::end_of_step() {
     averaged_.add(frame.step, averager_->frame_sums(frame));
     if (update->ntimestep % write_every_ == 0) write();
   });
-  told_when_ = told_when_ || update->ntimestep % write_every_ == 0;
+  ++waiting_;
+  if (update->ntimestep % write_every_ != 0) return;
+  waiting_ = 0;
+  told_when_ = false;
 }
 
 void FixAveMicromacro::run_ended() {
-  if (told_when_) return;
+  if (waiting_ == 0 || told_when_) return;
   told_when_ = true;
   const LAMMPS_NS::bigint next = (update->ntimestep / write_every_ + 1) * write_every_;
-  tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): nothing is written yet: Nfreq = " +
-                 std::to_string(write_every_) + " makes the first table in step " + std::to_string(next));
+  tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + std::to_string(waiting_) +
+                 " frames are in no table yet: Nfreq = " + std::to_string(write_every_) +
+                 " makes the next one in step " + std::to_string(next));
 }
 
 void FixAveMicromacro::write() {

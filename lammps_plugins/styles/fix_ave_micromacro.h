@@ -57,7 +57,8 @@ class FixAveMicromacro : public FixWithClock, public ContactObserver, public Fil
   LAMMPS_NS::bigint write_every_ = 0;
   AverageOptions options_;
   std::vector<MaterialConstant> constants_;  // of the first run
-  bool told_when_ = false;                   // or has written
+  LAMMPS_NS::bigint waiting_ = 0;            // frames that no table holds yet
+  bool told_when_ = false;                   // the next one comes, since the last one
   bool windows_ = false;                     // each file has its own frames only
   std::unique_ptr<const Averager> averager_;
   Averaged averaged_;  // on the first rank

@@ -8,6 +8,7 @@
 #include "atom.h"
 #include "disc_law.h"
 #include "engine_access.h"
+#include "first_rank.h"
 #include "neighbor.h"
 #include "update.h"
 
@@ -47,7 +48,10 @@ void SmoothWalls::find_law() {
 void SmoothWalls::init(const std::vector<physics::SmoothWall>& walls) {
   find_law();
   check_group();
-  if (!has_run_) check_cuts(walls);
+  if (has_run_)
+    warn_of_cuts(walls);
+  else
+    check_cuts(walls);
   has_run_ = true;
   parameters_.clear();
   for (const WallKind& kind : kinds_) {
@@ -73,6 +77,14 @@ void SmoothWalls::check_group() const {
 }
 
 void SmoothWalls::check_cuts(const std::vector<physics::SmoothWall>& walls) const {
+  if (const std::string cut = deepest_cut(walls); !cut.empty()) stop(*lmp, style_, cut);
+}
+
+void SmoothWalls::warn_of_cuts(const std::vector<physics::SmoothWall>& walls) const {
+  if (const std::string cut = deepest_cut(walls); !cut.empty()) warn(*lmp, style_ + ": " + cut);
+}
+
+std::string SmoothWalls::deepest_cut(const std::vector<physics::SmoothWall>& walls) const {
   constexpr double cut = 0.5;
   struct {
     double depth;
@@ -89,13 +101,12 @@ void SmoothWalls::check_cuts(const std::vector<physics::SmoothWall>& walls) cons
   }
   const int mine = worst.id;
   MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
-  if (worst.depth < cut) return;
+  if (worst.depth < cut) return "";
   if (mine != worst.id) wall_of_worst = 0;  // only the rank that owns the disc knows the wall
   MPI_Allreduce(MPI_IN_PLACE, &wall_of_worst, 1, MPI_INT, MPI_MAX, world);
-  stop(*lmp, style_,
-       names_[wall_of_worst] + ": expected a wall that cuts through no disc, got an overlap of " +
-           text_of(worst.depth) + " radii with disc " + std::to_string(worst.id) +
-           (names_[wall_of_worst] == "plane" ? " (the normal NX NY points from the wall to the discs)" : ""));
+  return names_[wall_of_worst] + ": expected a wall that cuts through no disc, got an overlap of " +
+         text_of(worst.depth) + " radii with disc " + std::to_string(worst.id) +
+         (names_[wall_of_worst] == "plane" ? " (the normal NX NY points from the wall to the discs)" : "");
 }
 
 void SmoothWalls::forget_unused_springs() {

@@ -36,8 +36,9 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
 
   /// Ends the run where a wall cuts through a disc, to half of its radius or more. For new walls.
   void check_cuts(const std::vector<physics::SmoothWall>& walls) const;
-  /// At the start of a run. Ends it where no disc law is active or the group is empty; looks for cuts in the
-  /// first run.
+  /// At the start of a run. Ends it where no disc law is active or the group is empty, and the first run
+  /// where a wall cuts through a disc; warns of that in later ones, when walls may have been pressed into
+  /// discs.
   void init(const std::vector<physics::SmoothWall>& walls);
 
   /// Adds the forces of this step to discs that touch the walls, of which there is one for each add().
@@ -75,6 +76,9 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   template <physics::Effects effects>
   void add_to_disc(int i, const physics::PlaneVector& force, double torque);
   void find_law();
+  void warn_of_cuts(const std::vector<physics::SmoothWall>& walls) const;
+  /// By half of a radius or more, in words; "" for none.
+  std::string deepest_cut(const std::vector<physics::SmoothWall>& walls) const;
   void check_group() const;
   void find_near(const std::vector<physics::SmoothWall>& walls);
   void forget_unused_springs();

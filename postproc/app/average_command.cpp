@@ -107,8 +107,13 @@ void average(const CommandOptions& options, const Ranks& ranks) {
   Task task;
   ranks.agree([&] { task = task_of(options, ranks); });
   const double stiffness = stiffness_of(task.options.fields);
+  const bool with_forces = (task.averager->contacts_needed() & column_set(ContactColumn::fx)) != 0;
   const SumFrame sum = [&](const Frame& frame) {
     note_stiffness(frame, stiffness, *task.source.notes);
+    if (with_forces) {
+      note_branch(frame, task.options.volumes, *task.source.notes);
+      note_walls(frame, options.input, *task.source.notes);
+    }
     return task.averager->frame_sums(frame);
   };
   const Averaged averaged = average_frames(task.source, task.options.volumes, sum,

@@ -3,10 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <optional>
 #include <vector>
 
 namespace mikromakro {
 namespace {
+
+// Of a packing, which a few discs that somebody has put down are not.
+constexpr std::size_t enough_for_a_packing = 20;
 
 void note_height(const Frame& frame, double height, Notes& notes) {
   constexpr double most = 100, least = 1e-4;  // radii
@@ -24,11 +30,71 @@ void note_kernel(const Frame& frame, const VolumeOptions& volumes, Notes& notes)
               frame.step);
 }
 
+// The box around all volumes; none where no option names them.
+std::optional<Box> bounds_of(const VolumeOptions& volumes) {
+  if (!volumes.grid.empty())
+    return Box{{volumes.grid[0], volumes.grid[3]}, {volumes.grid[1], volumes.grid[4]}};
+  if (!volumes.box.empty()) return Box{{volumes.box[0], volumes.box[2]}, {volumes.box[1], volumes.box[3]}};
+  if (volumes.rings.empty() && volumes.edges.empty()) return {};
+  const double outermost = volumes.rings.empty() ? volumes.edges.back() : volumes.rings[1];
+  const Eigen::Vector2d centre = ring_centre(volumes), corner(outermost, outermost);
+  return Box{centre - corner, centre + corner};
+}
+
+// In mm, say, or of another system: means over volumes that are nearly empty look like any.
+void note_extent(const Frame& frame, const VolumeOptions& volumes, Notes& notes) {
+  constexpr double most = 5;  // lengths of the region of the discs
+  const std::optional<Box> bounds = bounds_of(volumes);
+  if (!bounds || frame.particles.size() < enough_for_a_packing) return;
+  Eigen::AlignedBox2d discs;
+  for (const Particle& disc : frame.particles) {
+    const Eigen::Vector2d corner(disc.radius, disc.radius);
+    discs.extend(disc.position - corner).extend(disc.position + corner);
+  }
+  const Eigen::Vector2d length = bounds->length();
+  if ((length.array() <= most * discs.sizes().array()).all()) return;
+  notes.add(fmt::format(
+                "{}: the volumes, {:.6g} m by {:.6g} m, are more than {} times as long as the region of the "
+                "discs (numbers in m?)",
+                volume_option(volumes), length.x(), length.y(), most),
+            frame.step);
+}
+
 }  // namespace
 
 void note_volumes(const Frame& frame, const VolumeOptions& volumes, Notes& notes) {
   note_height(frame, volumes.height, notes);
   note_kernel(frame, volumes, notes);
+  note_extent(frame, volumes, notes);
+}
+
+void note_walls(const Frame& frame, const InputOptions& input, Notes& notes) {
+  const bool of_stock = input.contact_columns.size() == 1;  // a preset
+  const bool closed = frame.box.boundaries_known && (!frame.box.periodic[0] || !frame.box.periodic[1]);
+  if (of_stock && closed && input.walls.empty() && frame.contacts.size() >= enough_for_a_packing)
+    notes.add(fmt::format(
+        "--contact-columns {}: these rows lack contacts with walls that are no discs, and stresses near "
+        "such walls lack them (--wall-contacts adds those of meshes)",
+        input.contact_columns.front()));
+}
+
+void note_branch(const Frame& frame, const VolumeOptions& volumes, Notes& notes) {
+  if (branch_name(volumes) != "radius" || frame.contacts.size() < enough_for_a_packing) return;
+  constexpr double most = 0.02;
+  double overlaps = 0, radii = 0;
+  for (const Contact& contact : frame.contacts) {
+    if (contact.with_wall()) continue;
+    overlaps += contact.overlap;
+    radii += frame.particles[static_cast<std::size_t>(contact.index1)].radius +
+             frame.particles[static_cast<std::size_t>(contact.index2)].radius;
+  }
+  if (overlaps > most * radii)
+    notes.add(
+        fmt::format(
+            "--branch radius: contacts overlap by more than {:.0f} % of the diameters on average, by which "
+            "stresses are too large (--branch contact goes to the contact points)",
+            100 * most),
+        frame.step);
 }
 
 void note_stiffness(const Frame& frame, double normal_stiffness, Notes& notes) {
@@ -47,11 +113,11 @@ void note_stiffness(const Frame& frame, double normal_stiffness, Notes& notes) {
   std::nth_element(slopes.begin(), middle, slopes.end());
   constexpr double factor = 3;
   if (*middle > factor * normal_stiffness || *middle < normal_stiffness / factor)
-    notes.add(
-        fmt::format("k_n = {} N/m, but forces over overlaps are {:.3g} N/m in the middle (another unit, "
-                    "or of another run?)",
-                    normal_stiffness, *middle),
-        frame.step);
+    notes.add(fmt::format(
+                  "k_n = {} N/m, but forces over overlaps are about {:.0e} N/m in the middle (another unit, "
+                  "or of another run?)",
+                  normal_stiffness, std::pow(10, std::round(std::log10(*middle)))),
+              frame.step);
 }
 
 }  // namespace mikromakro

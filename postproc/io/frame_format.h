@@ -63,6 +63,8 @@ class FrameFormat {
   virtual UnpackFrame take(bool closely = false) = 0;
   /// The run of that frame, from 0.
   virtual std::int64_t run() const { return 0; }
+  /// How many rows of contacts it has, all files together; -1 where only its rows tell.
+  virtual std::int64_t contact_rows() const { return -1; }
   /// For the progress bar.
   virtual std::int64_t bytes_read() const = 0;
 };

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -11,6 +13,7 @@
 #include "io/overlapping_discs.h"
 #include "io/plausible_forces.h"
 #include "io/run_sequence.h"
+#include "io/same_box.h"
 #include "io/snapshot_reader.h"
 
 namespace mikromakro {
@@ -89,6 +92,7 @@ void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   frame.contacts_known = raw.with_contacts;
   frame.contacts.clear();
   rules.step = raw.step;
+  check_box(raw.box, {raw.particle_file, raw.first_particle_line - 1});
   note_boundaries(raw, rules.notes);
   if (raw.with_contacts)
     frame.contacts = join_contacts(raw.contacts, {raw.particles, ids, raw.box, raw.place_error}, rules);
@@ -165,12 +169,20 @@ FrameStream::FrameStream(const FrameSource& source)
       one_run_(source.further_runs.empty()),
       format_(format_of(source)) {}
 
+// The first frame of each run, every 64th, and those with more than twice as many contacts as any that was
+// looked at: a run that begins with discs apart has none to look at in its first frame.
 bool FrameStream::is_looked_at_closely(std::int64_t step) {
   constexpr std::int64_t seldom = 64;
   if (!of_all_ranks_.contains(index_, step)) return false;
-  const bool run_begins = last_selected_run_ != format_->run();
+  if (last_selected_run_ != format_->run()) selected_of_run_ = most_rows_looked_at_ = 0;
   last_selected_run_ = format_->run();
-  return selected_++ % seldom == 0 || run_begins;
+  ++selected_;
+  const std::int64_t number = selected_of_run_++, rows = format_->contact_rows();
+  const bool many_more =
+      rows < 0 ? std::has_single_bit(static_cast<std::uint64_t>(number)) : rows > 2 * most_rows_looked_at_;
+  if (number % seldom != 0 && !many_more) return false;
+  most_rows_looked_at_ = std::max(most_rows_looked_at_, rows);
+  return true;
 }
 
 UnpackFrame FrameStream::take_raw() {

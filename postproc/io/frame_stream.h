@@ -107,6 +107,8 @@ class FrameStream {
   std::int64_t index_ = -1;
   std::int64_t selected_ = 0;  ///< frames of all ranks so far
   std::int64_t last_selected_run_ = -1;
+  std::int64_t selected_of_run_ = 0;
+  std::int64_t most_rows_looked_at_ = 0;  ///< of a frame of that run
   bool closely_ = false;
   bool over_ = false;
 };

@@ -26,6 +26,7 @@ class RunSequence : public FrameFormat {
   }
   std::int64_t run() const override { return static_cast<std::int64_t>(opened_) - 1; }
   UnpackFrame take(bool closely) override { return run_->take(closely); }
+  std::int64_t contact_rows() const override { return run_->contact_rows(); }
   std::int64_t bytes_read() const override { return bytes_before_ + (run_ ? run_->bytes_read() : 0); }
 
  private:

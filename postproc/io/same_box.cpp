@@ -6,9 +6,31 @@
 
 namespace mikromakro {
 
+namespace {
+
+bool changes_by(double part, const Box& before, const Box& after) {
+  return ((before.length() - after.length()).array().abs() > part * before.length().array()).any();
+}
+
+}  // namespace
+
 bool jumps(const Box& before, const Box& after) {
-  constexpr double tenth = 0.1;
-  return ((before.length() - after.length()).array().abs() > tenth * before.length().array()).any();
+  return changes_by(0.1, before, after);
+}
+
+bool is_another(const Box& before, const Box& after) {
+  return changes_by(1 / 3.0, before, after);
+}
+
+void check_box(const Box& box, const Place& place) {
+  const Eigen::Vector2d length = box.length();
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    const bool periodic = box.periodic[static_cast<std::size_t>(axis)];
+    if (length[axis] > 0 || (length[axis] == 0 && !periodic)) continue;
+    throw bad_input(place, fmt::format("the box has no width along {}", axis == 0 ? 'x' : 'y'),
+                    periodic ? "a length > 0 of a periodic box" : "bounds in ascending order",
+                    fmt::format("{:.9g} to {:.9g}", box.low[axis], box.high[axis]));
+  }
 }
 
 void check_same_box(const Box& of_particles, const Box& of_contacts, const Place& place) {

@@ -48,6 +48,8 @@ std::vector<double> numbers_in(const Hdf5File& file, const std::string& name) {
   std::vector<double> numbers(
       std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()));
   dataset.read<double>({Hdf5Shape(shape.size(), 0), shape}, numbers);
+  if (numbers.empty())
+    throw bad_input({dataset.place()}, "no numbers in the dataset", "one or more, or no dataset", "0");
   return numbers;
 }
 

@@ -90,6 +90,13 @@ struct Boxes {
     }
   }
 
+  /// The first one that is not like the one before it; 0 where all are.
+  std::size_t first_other() const {
+    for (std::size_t frame = 1; 2 * frame < low.size(); ++frame)
+      if (is_another(of(frame - 1), of(frame))) return frame;
+    return 0;
+  }
+
   Box of(std::size_t frame) const {
     const Eigen::Vector2d corner(low[2 * frame], low[2 * frame + 1]);
     return {corner, corner + Eigen::Vector2d(edges[2 * frame], edges[2 * frame + 1]), periodic};
@@ -160,6 +167,8 @@ bool SnapshotReader::open_next() {
     wishes_.notes->add(file + ": the boundaries are not those of the files before (another run?)");
   if (before && wishes_.notes && are_of_two_systems(*before, *open_))
     wishes_.notes->add(file + ": " + another_system);
+  if (const std::size_t other = open_->boxes.first_other(); other > 0 && wishes_.notes)
+    wishes_.notes->add(file + ": " + another_box, open_->summary.steps[other]);
   frame_ = 0;
   return true;
 }
@@ -174,6 +183,11 @@ bool SnapshotReader::next(std::int64_t& step) {
                     fmt::format("{}", step));
   last_step_ = step;
   return true;
+}
+
+std::int64_t SnapshotReader::contact_rows() const {
+  const auto& offsets = open_->summary.contact_offsets;
+  return offsets.empty() ? 0 : offsets[frame_] - offsets[frame_ - 1];
 }
 
 // A frame as it lies in the file.

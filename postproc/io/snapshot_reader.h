@@ -23,6 +23,7 @@ class SnapshotReader : public FrameFormat {
 
   bool next(std::int64_t& step) override;
   UnpackFrame take(bool closely = false) override;
+  std::int64_t contact_rows() const override;
   std::int64_t bytes_read() const override { return bytes_; }
 
  private:

@@ -116,6 +116,9 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
     if (!file.has(path)) continue;
     dataset = file.dataset(path);
     check_unit(dataset, path, snapshot::contact_units[slot], name);
+    if (dataset.shape().size() != 1)
+      throw bad_input({dataset.place()}, "has another shape", "a number for each contact",
+                      fmt::format("{} dimensions", dataset.shape().size()));
     summary.contacts_given |= ColumnSet{1} << slot;
   }
   check_steps(file, snapshot::contacts + "step", summary.steps, "contacts are", name);

@@ -188,6 +188,7 @@ void SnapshotWriter::check_same(const RawFrame& frame) const {
     throw bad_input(place, "the columns change", "the columns of the first frame", "others");
   if (frame.box.periodic != periodic_)
     throw bad_input(place, "the boundaries change", "those of the first frame", "others");
+  walls_.check(frame.walls, {frame.particle_file});
 }
 
 void SnapshotWriter::add(const RawFrame& frame, const std::vector<Particle>& particles) {

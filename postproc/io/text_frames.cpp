@@ -72,6 +72,13 @@ bool TextFrames::next(std::int64_t& step) {
   return true;
 }
 
+std::int64_t TextFrames::contact_rows() const {
+  std::int64_t rows = 0;
+  for (std::size_t piece = particle_pieces_; piece < frames_.size(); ++piece)
+    rows += frames_.header(piece).rows;
+  return rows;
+}
+
 // Of all frames of a run, where the files tell.
 void TextFrames::check_boundaries() {
   const Box& box = frames_.header(0).box;
@@ -86,6 +93,8 @@ void TextFrames::check_system() {
   const DumpHeader& header = frames_.header(0);
   if (last_size_ && last_size_->rows != header.rows && jumps(last_size_->box, header.box))
     wishes_->notes->add(frames_.file(0) + ": " + another_system);
+  else if (last_size_ && is_another(last_size_->box, header.box))
+    wishes_->notes->add(frames_.file(0) + ": " + another_box, header.step);
   last_size_ = {header.box, header.rows};
 }
 

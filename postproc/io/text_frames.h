@@ -38,6 +38,7 @@ class TextFrames : public FrameFormat {
 
   bool next(std::int64_t& step) override;
   UnpackFrame take(bool closely = false) override;
+  std::int64_t contact_rows() const override;
   std::int64_t bytes_read() const override { return frames_.bytes_read(); }
 
  private:

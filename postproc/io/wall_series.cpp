@@ -40,13 +40,17 @@ void WallSeries::resume(const Hdf5File& file) {
     values_[name] = file.dataset(value_path(name));
 }
 
-void WallSeries::add(const std::vector<WallState>& walls, std::uint64_t frame, const Place& place) {
+void WallSeries::check(const std::vector<WallState>& walls, const Place& place) const {
   for (const WallState& wall : walls) {
     const auto series = values_.find(wall.name);
     if (series == values_.end() || series->second.shape().back() != wall.numbers.size())
       throw bad_input(place, "the walls change", "walls that the first frame had, or none",
                       fmt::format("{} numbers of '{}'", wall.numbers.size(), wall.name));
   }
+}
+
+void WallSeries::add(const std::vector<WallState>& walls, std::uint64_t frame, const Place& place) {
+  check(walls, place);
   for (auto& [name, series] : values_) {
     const std::uint64_t width = series.shape().back();
     const auto wall = std::find_if(walls.begin(), walls.end(),

@@ -20,8 +20,10 @@ class WallSeries {
   /// Those of a file that is there.
   void resume(const Hdf5File& file);
 
-  /// nan for a wall that is not there in this frame. Throws where one is there that is not in the file, or
-  /// has another number of numbers.
+  /// Throws where a wall is there that is not in the file, or has another number of numbers.
+  void check(const std::vector<WallState>& walls, const Place& place) const;
+
+  /// nan for a wall that is not there in this frame. Throws what check() does.
   void add(const std::vector<WallState>& walls, std::uint64_t frame, const Place& place);
 
  private:

@@ -102,8 +102,7 @@ void check_width(const VolumeOptions& options) {
 
 void describe_weight(const VolumeOptions& options, Preamble& lines) {
   lines.emplace_back("weight", options.weight);
-  const bool to_contact = options.branch.empty() && make_weight(options.weight)->is_kernel();
-  lines.emplace_back("branch", to_contact ? "contact" : options.branch.empty() ? "radius" : options.branch);
+  lines.emplace_back("branch", branch_name(options));
 }
 
 }  // namespace
@@ -209,6 +208,11 @@ std::unique_ptr<const Averager> make_averager(const VolumeOptions& options, Fiel
   const AveragingOptions averaging{options.bulk_types, branch_of(options.branch), options.height > 0};
   return std::make_unique<const Averager>(volumes_of(options), make_weight(options.weight), std::move(fields),
                                           averaging);
+}
+
+std::string branch_name(const VolumeOptions& options) {
+  if (!options.branch.empty()) return options.branch;
+  return make_weight(options.weight)->is_kernel() ? "contact" : "radius";
 }
 
 void describe_volumes(const VolumeOptions& options, Preamble& lines, bool with_weight) {

@@ -49,6 +49,9 @@ std::unique_ptr<const Averager> make_averager(const VolumeOptions& options, Fiel
 std::vector<double> ring_edges(const VolumeOptions& options);
 Eigen::Vector2d ring_centre(const VolumeOptions& options);
 
+/// The branch vectors that count, `radius` or `contact`, given or those of the weight.
+std::string branch_name(const VolumeOptions& options);
+
 /// Lines above a table: the volumes, and the discs; where one weight is chosen, how these count.
 void describe_volumes(const VolumeOptions& options, Preamble& lines, bool with_weight = true);
 
