@@ -1,9 +1,13 @@
 #include "engine_access.h"
 
+#include <mpi.h>
+
 #include <algorithm>
 #include <csignal>
+#include <exception>
 #include <iterator>
 #include <numeric>
+#include <typeinfo>
 
 #include "atom.h"
 #include "comm_brick.h"
@@ -154,6 +158,29 @@ double radius_to_come(Fix& fix, int type) {
 double time_now(const LAMMPS& engine) {
   const Update& update = *engine.update;
   return update.atime + static_cast<double>(update.ntimestep - update.atimestep) * update.dt;
+}
+
+namespace {
+
+/// Whether an error is of one rank alone, so that the others wait for it.
+template <class Exception>
+bool is_of_one_rank(const Exception& exception) {
+  // The classes of errors have other names by the version.
+  return std::string(typeid(exception).name()).find("AbortException") != std::string::npos;
+}
+
+}  // namespace
+
+/// Later LAMMPS throws where it ended the program; its message stands on the screen already.
+int exit_code_of(const std::function<void()>& run) {
+  try {
+    run();
+    return 0;
+  } catch (const std::exception& exception) {
+    if (is_of_one_rank(exception)) MPI_Abort(MPI_COMM_WORLD, 1);
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  return 1;
 }
 
 /// The engine's own program leaves signals alone.

@@ -56,6 +56,19 @@ std::string types_text(const std::string& i, const std::string& j) {
   return "pair_coeff " + i + " " + j;
 }
 
+/// Of discs by their radii, with springs or without. LAMMPS has other ways for it from 24 Mar 2022 on.
+template <class Engine, class Style>
+void request_list(Engine& neighbor, Style* pair, bool springs) {
+  if constexpr (requires { neighbor.add_request(pair, 0); }) {
+    constexpr int by_size = 1 << 2, with_history = 1 << 3;  // REQ_SIZE, REQ_HISTORY
+    neighbor.add_request(pair, by_size | (springs ? with_history : 0));
+  } else {
+    const int request = neighbor.request(pair, pair->instance_me);
+    neighbor.requests[request]->size = 1;
+    neighbor.requests[request]->history = springs ? 1 : 0;
+  }
+}
+
 // Marks our pair style in a restart file.
 constexpr std::int64_t restart_key = 0x64697363;
 
@@ -167,9 +180,7 @@ void PairDisc::init_style() {
   if (!stores_discs(*atom) || !atom->omega_flag || !atom->torque_flag)
     law_.fail(std::string("needs 'atom_style ") + disc_atom_style + "'");
   if (comm->ghost_velocity == 0) law_.fail("needs 'comm_modify vel yes'");
-  const int request = neighbor->request(this, instance_me);
-  neighbor->requests[request]->size = 1;
-  neighbor->requests[request]->history = law_.effects().spring() ? 1 : 0;
+  request_list(*neighbor, this, law_.effects().spring());
   provide_history();
   law_.begin_run(parameters());
 }

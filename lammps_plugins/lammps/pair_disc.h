@@ -35,7 +35,9 @@ class PairDisc : public LAMMPS_NS::Pair {
   void compute(int eflag, int vflag) override;
   void write_restart(FILE* file) override;
   void read_restart(FILE* file) override;
-  void transfer_history(double* from, double* to) override;
+  // Either overrides the engine's, by its version.
+  void transfer_history(double* from, double* to);
+  void transfer_history(double* from, double* to, int /*type_1*/, int /*type_2*/) { transfer_history(from, to); }
   double memory_usage() override;
 
   DiscLaw& law() { return law_; }
