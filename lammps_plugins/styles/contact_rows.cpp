@@ -1,9 +1,9 @@
 #include "contact_rows.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 
 #include "atom.h"
 #include "comm.h"
@@ -32,6 +32,13 @@ AppliedContact moved(const Atom& atom, AppliedContact c) {
   return c;
 }
 
+/// Ours, and those of the engine that ask the pair style for single contacts.
+bool reads_contacts(const Compute& compute) {
+  constexpr std::array names = {"contact/disc", "pair/local", "fabric", "group/group"};
+  return std::any_of(names.begin(), names.end(),
+                     [&](const char* name) { return std::strcmp(compute.style, name) == 0; });
+}
+
 ContactRow row_of(const Atom& atom, const AppliedContact& c) {
   const double *x_1 = atom.x[c.i], *x_2 = atom.x[c.j];
   return {static_cast<double>(atom.tag[c.i]),
@@ -58,7 +65,7 @@ void ContactSchedule::look_up(LAMMPS& engine) {
   const Modify& modify = *engine.modify;
   computes_.clear();
   for (Compute* compute : computes(modify))
-    if (std::strcmp(compute->style, "contact/disc") == 0) computes_.push_back(compute);
+    if (reads_contacts(*compute)) computes_.push_back(compute);
   observers_.clear();
   for (const Fix* fix : fixes(modify))
     if (const auto* observer = dynamic_cast<const ContactObserver*>(fix)) observers_.push_back(observer);
