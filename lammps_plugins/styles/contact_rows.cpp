@@ -83,13 +83,14 @@ bool ContactSchedule::due(const Update& update, const Output& output) const {
 }
 
 bool append_contact_rows(LAMMPS& engine, int group_bit, std::vector<ContactRow>& rows) {
-  const DiscLaw* law = active_disc_law(engine);
+  DiscLaw* law = active_disc_law(engine);
   const auto* contacts = law ? law->applied_contacts() : nullptr;
   if (!contacts) return false;
   const Atom& atom = *engine.atom;
   // A box that changes takes discs along after their forces were found, and dumps show them there.
   const bool box_changes = engine.domain->box_change != 0;
   if (box_changes) engine.comm->forward_comm();
+  law->tell_of_deep_overlaps();
   for (const auto& c : *contacts) {
     if (!(atom.mask[c.i] & group_bit) || !(atom.mask[c.j] & group_bit)) continue;
     // A contact across a rank boundary is evaluated on both sides; the side that owns the larger id reports

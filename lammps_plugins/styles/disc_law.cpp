@@ -168,6 +168,7 @@ void DiscLaw::begin_run(std::vector<physics::ContactParameters> parameters) {
 /// Once in each run, at its set-up; the engine also initialises when it writes a restart file.
 void DiscLaw::start_run(const NeighList& list) {
   run_started_ = true;
+  deep_overlaps_told_ = false;
   constexpr double rounding = 1e-12;
   lists_are_old_ = sum_of_radii() > sum_of_radii_ * (1 + rounding);
   check_discs(*lmp, style());
@@ -183,6 +184,20 @@ const physics::ContactParameters& DiscLaw::parameters(int type_1, int type_2) co
 
 const physics::DiscRow* DiscLaw::seen(int i) const {
   return rows_step_ == update->ntimestep ? &packed_.discs[i] : nullptr;
+}
+
+void DiscLaw::tell_of_deep_overlaps() {
+  if (deep_overlaps_told_) return;
+  constexpr double most = 0.5;  // radii
+  int deep = std::any_of(applied_.begin(), applied_.end(), [&](const AppliedContact& c) {
+    return c.overlap > most * std::min(atom->radius[c.i], atom->radius[c.j]);
+  });
+  MPI_Allreduce(MPI_IN_PLACE, &deep, 1, MPI_INT, MPI_MAX, world);
+  if (deep == 0) return;
+  deep_overlaps_told_ = true;
+  warn(*lmp, style() +
+                 ": discs overlap by more than half of a radius: k_n is too small for the load (is the "
+                 "density rho h in kg/m^2, not in kg/m^3?)");
 }
 
 const std::vector<AppliedContact>* DiscLaw::applied_contacts() const {

@@ -78,6 +78,9 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   bool velocities_predicted() const { return predicted_; }
   /// An owned disc as its contacts saw it in this step; nullptr where they have not been evaluated.
   const physics::DiscRow* seen(int i) const;
+  /// One warning in each run where recorded contacts overlap by more than half of the smaller radius. Called
+  /// by all ranks together.
+  void tell_of_deep_overlaps();
   /// Elastic force of the contact of this rank that is pressed most [N].
   double strongest_contact() const;
   /// Of each type [m], for which the engine makes its lists: of all ranks at the start of the run, and of
@@ -233,6 +236,7 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   bool predicted_ = false;
   ContactSchedule schedule_;
   bool recording_ = false;
+  bool deep_overlaps_told_ = false;
   LAMMPS_NS::bigint recorded_step_ = -1;
   std::vector<AppliedContact> applied_;
 };

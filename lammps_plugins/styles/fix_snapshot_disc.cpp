@@ -11,6 +11,7 @@
 #include "group.h"
 #include "io/output_file.h"
 #include "mikromakro_version.h"
+#include "modify.h"
 #include "run_record.h"
 #include "update.h"
 
@@ -71,11 +72,29 @@ void FixSnapshotDisc::setup(int /*vflag*/) {
          "file, got '" +
              file_ + "'");
   warn_of_no_frame(due);
-  if (!first_run && !due) return;
+  if (!first_run && (!due || update->ntimestep == last_step_)) return;
   record_ = record;
+  check_order();
   const RawFrame frame = gather_frame(*lmp, groupbit, style);
   if (first_run) begin(frame);
-  if (due) on_first_rank(*lmp, style, [&] { log_->add(frame); });
+  if (!due) return;
+  on_first_rank(*lmp, style, [&] { log_->add(frame); });
+  last_step_ = update->ntimestep;
+}
+
+/// The engine sets fixes up in their order, and the first frame has the forces of walls.
+void FixSnapshotDisc::check_order() const {
+  bool behind = false;
+  for (int k = 0; k < modify->nfix; ++k) {
+    const Fix* fix = modify->fix[k];
+    if (behind && dynamic_cast<const WallContactSource*>(fix))
+      stop(*lmp, style,
+           std::string("its first frame needs the forces of fix ") + fix->id + " (" + fix->style +
+               "), which is defined after it; expected fix " + id +
+               " behind the fixes with walls ('unfix' it and define it again, with 'append yes' where the "
+               "file goes on)");
+    behind = behind || fix == this;
+  }
 }
 
 void FixSnapshotDisc::warn_of_no_frame(bool due_now) {
@@ -102,6 +121,7 @@ void FixSnapshotDisc::begin(const RawFrame& frame) {
 void FixSnapshotDisc::end_of_step() {
   const RawFrame frame = gather_frame(*lmp, groupbit, style);
   on_first_rank(*lmp, style, [&] { log_->add(frame); });
+  last_step_ = update->ntimestep;
 }
 
 }  // namespace mikromakro::styles

@@ -43,6 +43,7 @@ class FixSnapshotDisc : public FixOfEngine, public ContactObserver, public FileW
  private:
   void begin(const RawFrame& frame);
   void warn_of_no_frame(bool due_now);
+  void check_order() const;
 
   std::string file_;
   bool append_ = false;
@@ -51,6 +52,7 @@ class FixSnapshotDisc : public FixOfEngine, public ContactObserver, public FileW
   SnapshotParameters record_;
   std::unique_ptr<SnapshotLog> log_;  // on the first rank, from the first run on
   bool begun_ = false;
+  LAMMPS_NS::bigint last_step_ = -1;  // of a frame of this fix
 };
 
 }  // namespace mikromakro::styles

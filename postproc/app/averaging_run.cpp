@@ -25,6 +25,17 @@ void check_found(const FrameSource& source, const VolumeOptions& volumes, const 
   if ((averaged.sums.mean() == 0).all()) check_coverage(source, volumes);
 }
 
+// In mm, say.
+void note_height(const Frame& frame, const VolumeOptions& volumes, Notes& notes) {
+  constexpr double most = 100;  // radii
+  if (!(volumes.height > 0) || frame.particles.empty()) return;
+  const double radius = frame.particles.front().radius;
+  if (volumes.height > most * radius)
+    notes.add(fmt::format("--height {} is {:.3g} times the radius of a disc (it is in m)", volumes.height,
+                          volumes.height / radius),
+              frame.step);
+}
+
 }  // namespace
 
 int threads_of(const RunOptions& options, const Ranks& ranks) {
@@ -50,6 +61,7 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
   const double width = kernel_width(volumes);
   const SumFrame look_and_sum = [&](const Frame& frame) {
     types.look(frame);
+    note_height(frame, volumes, *source.notes);
     if (width > frame.box.length().maxCoeff())
       source.notes->add(
           fmt::format("--weight {}: the kernel is wider than the box (W is in m)", volumes.weight),

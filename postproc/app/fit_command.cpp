@@ -57,6 +57,9 @@ void check_rings(const CsvTable& table) {
 
 CsvTable ring_table(const std::string& file) {
   CsvTable table(file);
+  if (table.has("block") && table.has("frames"))
+    throw bad_input({file}, "the table is one of blocks", "it as --blocks, beside the table of all frames",
+                    "it as a table");
   if (!table.has("r"))
     throw bad_input({file}, "the table is not one of rings", "a column r, as of average --rings", "none");
   if (table.has("phi_begin"))
@@ -96,6 +99,10 @@ void take_wheel(const FitOptions& options, const CsvTable& table, FitReport& rep
   report.omega = options.omega;
   report.r_i = std::isnan(options.ri) ? table.column("r_inner")[0] : options.ri;
   report.scale = report.omega * report.r_i;
+  const double last = table.column("r").maxCoeff();
+  if (report.r_i > last)
+    throw bad_input({"--ri"}, "R_i lies behind all rings", fmt::format("less than {} m", last),
+                    fmt::format("{}", report.r_i));
   if (std::isnan(options.omega)) return;
   if (!report.unit.empty() && report.unit != unit_of_velocity)
     throw bad_input({"--omega"}, fmt::format("{} is no velocity", options.column),
@@ -131,6 +138,13 @@ double residuals_over_errors(const RingProfile& profile, const FitReport& report
   return std::sqrt((residual / profile.error(fitted.used)).square().mean());
 }
 
+// Rings in the range with a value, but without a weight.
+Eigen::Index left_out(const RingProfile& profile, const FitReport& report) {
+  const FitWay& way = report.way;
+  return (profile.r >= way.from && profile.r <= way.to && profile.v.isFinite()).count() -
+         static_cast<Eigen::Index>(report.fitted.used.size());
+}
+
 FitReport fit_files(const FitOptions& options) {
   std::vector<CsvTable> tables;
   std::vector<RingProfile> profiles;
@@ -148,6 +162,10 @@ FitReport fit_files(const FitOptions& options) {
   const Eigen::ArrayXd r = profile.r(report.fitted.used);
   report.first_r = r.minCoeff();
   report.last_r = r.maxCoeff();
+  if (const auto without = options.weights == "errors" ? left_out(profile, report) : 0; without > 0)
+    fmt::print(stderr,
+               "mikromakro: warning: --weights errors: {} rings have no error above 0 and are left out\n",
+               without);
   report.errors = errors_of(options, table, profile, report);
   report.residuals_over_errors = residuals_over_errors(profile, report);
   report.choices = fit_choices(profiles, report.r_i, report.way, report.fitted.s, options.said);

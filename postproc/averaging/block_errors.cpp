@@ -1,5 +1,6 @@
 #include "averaging/block_errors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,7 +13,8 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 struct PseudoValues {
   std::vector<Rows> deviations;  // of each block, from the whole
   Rows variance;
-  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> fluctuate;  // beyond rounding
+  // Beyond rounding, and in blocks enough.
+  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> fluctuate;
 };
 
 // Angles without a block are at most half of their period from the angle of all.
@@ -27,6 +29,27 @@ void take_around(const std::vector<ColumnsOfField>& fields, Rows& deviations) {
     }
     begin += field.count;
   }
+}
+
+using Flags = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// Blocks without a disc do not change a quotient: its deviation is 0 there. Where most blocks are such, the
+// others have to be of several visits, since a single one does not tell how the next would differ.
+Flags is_told(const PseudoValues& values) {
+  constexpr double nothing = 1e-9, most = 0.5;
+  constexpr int fewest_visits = 8;
+  const Rows least = nothing * values.variance.sqrt();
+  using Counts = Eigen::Array<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Counts occupied = Counts::Zero(least.rows(), least.cols()), visits = occupied;
+  Flags before = Flags::Constant(least.rows(), least.cols(), false);
+  for (const Rows& deviation : values.deviations) {
+    const Flags now = deviation.abs() > least;
+    occupied += now.cast<int>();
+    visits += (now && !before).cast<int>();
+    before = now;
+  }
+  const auto blocks = static_cast<double>(values.deviations.size());
+  return occupied.cast<double>() > most * blocks || visits >= fewest_visits;
 }
 
 PseudoValues pseudo_values(const std::vector<Rows>& blocks, const Solver& solve,
@@ -48,7 +71,7 @@ PseudoValues pseudo_values(const std::vector<Rows>& blocks, const Solver& solve,
   values.variance = squares - mean.square();
   const double rounding = 2e-15 * count;
   // Not true for nan either.
-  values.fluctuate = values.variance.sqrt() > rounding * (whole + mean).abs();
+  values.fluctuate = values.variance.sqrt() > rounding * (whole + mean).abs() && is_told(values);
   return values;
 }
 
@@ -85,15 +108,38 @@ void fill(const std::vector<Eigen::Index>& places, const PseudoValues& values, c
   }
 }
 
+// Mean over the series of the sum over runs of n_r (m_r - m)^2/(2 tau s^2), per run less one.
+double chi_square(const Rows& series, const std::vector<std::int64_t>& runs, const Eigen::ArrayXd& time) {
+  const Row mean = series.colwise().mean();
+  const Row variance = (series.rowwise() - mean).square().colwise().mean() * time.transpose();
+  Row sum = Row::Zero(series.cols());
+  int count = 0;
+  for (Eigen::Index begin = 0; begin < series.rows(); ++count) {
+    Eigen::Index end = begin;
+    const auto run_of = [&](Eigen::Index block) { return runs[static_cast<std::size_t>(block)]; };
+    while (end < series.rows() && run_of(end) == run_of(begin)) ++end;
+    const Row own = series.middleRows(begin, end - begin).colwise().mean() - mean;
+    sum += static_cast<double>(end - begin) * own.square() / variance;
+    begin = end;
+  }
+  const auto known = sum.isFinite();
+  return count < 2 || !known.any()
+             ? nan
+             : known.select(sum, 0).sum() / static_cast<double>(known.count() * (count - 1));
+}
+
 FieldErrors errors_of(const ColumnsOfField& field, Eigen::Index begin, const PseudoValues& values,
                       const std::vector<std::int64_t>& runs, BlockErrors& errors) {
-  FieldErrors made{field, 0, {}, {}};
+  FieldErrors made{field};
   const std::vector<Eigen::Index> places = places_of(values, begin, field.count);
   if (places.empty()) return made;
   made.series = static_cast<Eigen::Index>(places.size());
-  made.correlation = correlation_time(series_at(places, values.deviations), runs);
+  const Rows series = series_at(places, values.deviations);
+  made.correlation = correlation_time(series, runs);
   made.decision = decide(made.correlation, static_cast<double>(values.deviations.size()));
-  if (made.decision.given) fill(places, values, made, errors);
+  if (!made.decision.given) return made;
+  fill(places, values, made, errors);
+  made.between_runs = chi_square(series, runs, made.correlation.of_series);
   return made;
 }
 
@@ -114,7 +160,7 @@ BlockErrors block_errors(const TimeAverage& average, const Solver& solve,
   Eigen::Index begin = 0;
   for (const ColumnsOfField& field : fields) {
     errors.fields.push_back(enough ? errors_of(field, begin, jackknife, average.runs(), errors)
-                                   : FieldErrors{field, 0, {}, {}});
+                                   : FieldErrors{field});
     errors.fields.back().correlation.time *= length;
     begin += field.count;
   }
@@ -129,6 +175,11 @@ Eigen::ArrayXd BlockErrors::effective_samples() const {
       samples[row] = std::fmin(samples[row], static_cast<double>(frames) / correlation_time(row, column));
   }
   return samples;
+}
+
+bool BlockErrors::all() const {
+  return std::all_of(fields.begin(), fields.end(),
+                     [](const FieldErrors& made) { return made.series == 0 || made.decision.given; });
 }
 
 Rows BlockErrors::times_of_fields() const {

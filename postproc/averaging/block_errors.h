@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 
 #include "averaging/error_decision.h"
 #include "averaging/time_average.h"
@@ -17,6 +18,9 @@ struct FieldErrors {
   Eigen::Index series = 0;  ///< that fluctuate
   CorrelationTime correlation;
   ErrorDecision decision;
+  /// Of several runs: chi^2 per value of their means about the mean of all, in the errors of each; 1 where
+  /// runs differ by what their frames tell, more where packings differ. nan for one run, and without errors.
+  double between_runs = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// One number per volume and column.
@@ -30,8 +34,9 @@ struct BlockErrors {
   Eigen::ArrayXd effective_samples() const;
   /// 2 tau of the slowest column of each field in each volume.
   Rows times_of_fields() const;
-  /// Whether any error is known.
+  /// Whether any error is known, and whether all fields have errors.
   bool any() const { return error.isFinite().any(); }
+  bool all() const;
 };
 
 /// Delete-one-block jackknife of what `solve` gives: the pseudo-values of m blocks are m q - (m - 1) q_i with

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
+#include <set>
 
 namespace mikromakro {
 namespace {
@@ -57,6 +59,15 @@ void check_block_table(const CsvTable& blocks, const std::string& column, const 
   check_same(blocks, table, column);
 }
 
+// At the end of each run frames may be left that fill no block.
+void check_complete(const CsvTable& blocks, const ColumnWithoutBlocks& read, double all) {
+  const std::set<std::int64_t> runs(read.runs.begin(), read.runs.end());
+  const double in_blocks = read.frames * static_cast<double>(read.runs.size());
+  if (all - in_blocks < read.frames * static_cast<double>(runs.size()) && all >= in_blocks) return;
+  throw bad_input({blocks.file()}, "blocks are missing", fmt::format("blocks of {} frames in all", all),
+                  fmt::format("{}", in_blocks));
+}
+
 }  // namespace
 
 Table block_table(const Averager& averager, const TimeAverage& average) {
@@ -102,6 +113,7 @@ ColumnWithoutBlocks column_without_blocks(const CsvTable& blocks, const std::str
                       fmt::format("{} frames", result.frames), fmt::format("{}", length));
     result.frames = length;
   }
+  check_complete(blocks, result, frames[0]);
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -99,6 +100,22 @@ Scatter scatter_of(const Eigen::ArrayXd& relative, double of_one, double indepen
   return {excess / (1 + of_one), excess <= beyond_chance * of_one * std::sqrt(2 / others)};
 }
 
+constexpr double significant_of_one = 4;  // standard errors
+
+// By how much the lags behind those of the window, as many again, add more in each series than in all, in
+// standard errors.
+Eigen::ArrayXd beyond_window(LaggedProducts& products, const Window& window, Eigen::Index series) {
+  const Eigen::Index lags = window.lags(), ahead = std::min(2 * lags + 2, products.longest());
+  if (ahead == lags) return Eigen::ArrayXd::Zero(series);
+  const double pairs = shares(products, ahead).sum() - shares(products, lags).sum();
+  double of_all = 0;
+  for (Eigen::Index lag = lags + 1; lag <= ahead; ++lag) of_all += products.mean(lag);
+  const auto more = static_cast<double>(ahead - lags);
+  const Eigen::ArrayXd of_one =
+      more * (products.sums_of_series(ahead) - products.sums_of_series(lags)) / pairs;
+  return (of_one - of_all) / std::sqrt(more * window.squares * std::max(window.time, 1.0) / products.count());
+}
+
 // What a normal series has by chance is not more than is taken off.
 double square_skewness(const LaggedProducts& products, double squares) {
   return std::max(0.0, products.square_skewness() - 6 * squares / products.count());
@@ -125,6 +142,10 @@ CorrelationTime correlation_time(Rows series, const std::vector<std::int64_t>& r
   result.scatter = std::sqrt(scatter.variance);
   if (!scatter.by_chance) result.unknown_scatter = (1 - kept) * result.scatter;
   result.of_series = (result.time * (1 + kept * (relative - 1))).max(1);
+  // Slower than the window lets see, or than is kept of what it shows.
+  const auto slow = beyond_window(products, *window, relative.size()) > significant_of_one ||
+                    relative - result.of_series / result.time > significant_of_one * std::sqrt(of_one);
+  result.of_series = slow.select(std::numeric_limits<double>::quiet_NaN(), result.of_series).eval();
   result.uncertainty_of_series = std::sqrt(kept * of_one + (1 - kept) * (1 - kept) * of_all);
   return result;
 }

@@ -20,7 +20,7 @@ struct CorrelationTime {
   double squares = 1;             ///< sum rho_k^2 over all k, also negative ones
   double square_skewness = 0;     ///< mean over the series, less what normal ones have by chance
   double independent_series = 1;  ///< as many independent series would know 2 tau as well
-  Eigen::ArrayXd of_series;       ///< 2 tau of each
+  Eigen::ArrayXd of_series;       ///< 2 tau of each; nan where it is longer than can be told
   double uncertainty_of_series = 0;
   double most = std::numeric_limits<double>::infinity();  ///< 2 tau is not longer than the longest run
 };
@@ -44,7 +44,9 @@ struct CorrelationTime {
 /// 2 tau rho_j (Bartlett). All of them know it as `independent_series` do, from the mean square of the
 /// correlations between series. Where their own values scatter by more than that, each keeps of its own value
 /// what the scatter is worth beside the uncertainty (empirical Bayes as in Smyth, Stat. Appl. Genet. Mol.
-/// Biol. 3, 3 (2004)); the rest of the scatter is not told. 2 tau is never below 1.
+/// Biol. 3, 3 (2004)); the rest of the scatter is not told. 2 tau is never below 1. A series that goes on
+/// fluctuating slowly behind the window, by four standard errors more than all do, has none (nan): a slow one
+/// among many fast ones.
 CorrelationTime correlation_time(Rows series, const std::vector<std::int64_t>& runs);
 
 }  // namespace mikromakro

@@ -29,7 +29,10 @@ Points finite_points(const ProfilePoints& all, double r_i) {
     if (known && (!weighted || (std::isfinite(all.error[i]) && all.error[i] > 0))) used.push_back(i);
   }
   if (static_cast<int>(used.size()) < least_points) {
-    throw run_failed("too few rings for the fit", fmt::format("at least {} with finite values", least_points),
+    const std::string there =
+        all.r.size() > 0 ? fmt::format(" (r = {:.4g} to {:.4g} m)", all.r.minCoeff(), all.r.maxCoeff()) : "";
+    throw run_failed("too few rings for the fit",
+                     fmt::format("at least {} with finite values{}", least_points, there),
                      fmt::format("{}", used.size()));
   }
   if ((all.v(used) == 0).all())
@@ -153,7 +156,10 @@ ExponentialProfile fit_exponential(const ProfilePoints& all, double r_i, FitOf o
   const auto [p, change] =
       of == FitOf::v ? fit_velocity(points) : fit_logarithm(points, all.error.size() > 0);
   const double s = 1 / p[1];
-  if (!(p[1] > 0) || p[0] == 0) {
+  // A profile that falls by less than this over the rings is constant to rounding.
+  constexpr double least_fall = 1e-9;
+  const bool falls = p[1] * (points.x.maxCoeff() - points.x.minCoeff()) > least_fall;
+  if (!falls || p[0] == 0) {
     throw run_failed("the profile does not decay", "v0 != 0 and s > 0",
                      fmt::format("v0 = {}, s = {}", p[0], s));
   }

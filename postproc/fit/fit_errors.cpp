@@ -14,6 +14,7 @@ namespace {
 constexpr double confidence = 0.95;
 constexpr double normal_quantile = 1.959963984540054;
 constexpr std::int64_t enough_runs = 8;
+constexpr double enough_alike = 7;  // 1/sum share^2: as many runs of the same length
 
 // A row for each block: v0, s, and v in the rings that are used.
 Eigen::ArrayXXd pseudo_values(const ExponentialProfile& fitted, const ColumnWithoutBlocks& blocks,
@@ -63,9 +64,11 @@ void widen(const Eigen::Array2d& error, double freedom, FitErrors& errors) {
   errors.half_width = student_t(confidence, freedom) * error;
 }
 
-// Of independent runs with `frames` of all frames each; rows of `series` are their values.
+// Of independent runs with a share of all frames each; rows of `series` are their values x. With w the
+// shares, sum w (x - mean)^2/(1 - sum w^2) is the variance of a value where runs differ as packings do, and
+// more than that of the mean over sum w^2 where they differ by their frames only.
 FitErrors errors_of_runs(const Eigen::ArrayXXd& series, const Eigen::ArrayXd& share) {
-  const auto runs = static_cast<double>(series.rows());
+  const double squares = share.square().sum();
   FitErrors errors;
   errors.method = "jackknife of runs";
   errors.remark = fmt::format("scatter of {} independent runs", series.rows());
@@ -73,10 +76,10 @@ FitErrors errors_of_runs(const Eigen::ArrayXXd& series, const Eigen::ArrayXd& sh
   Eigen::Array2d variance;
   for (Eigen::Index i = 0; i < 2; ++i) {
     const double mean = (share * series.col(i)).sum();
-    variance[i] = (share * (series.col(i) - mean)).square().sum() * runs / (runs - 1);
+    variance[i] = squares * (share * (series.col(i) - mean).square()).sum() / (1 - squares);
   }
-  errors.samples = 1 / share.square().sum();
-  widen(variance.sqrt(), runs - 1, errors);
+  errors.samples = 1 / squares;
+  widen(variance.sqrt(), errors.samples - 1, errors);
   return errors;
 }
 
@@ -104,9 +107,10 @@ FitErrors errors_of_series(const Eigen::ArrayXXd& series, const ExponentialProfi
   errors.two_tau = blocks.frames * time.maxCoeff();
   errors.two_tau_error = errors.two_tau * all.uncertainty;
   errors.samples = count / time.maxCoeff();
-  if (!decision.given || (time >= count).any()) {
+  if (!decision.given || !(time < count).all()) {
     errors.remark += fmt::format(", {:.3g} effective samples of the {:.3g} that are needed", errors.samples,
                                  std::ceil(decision.needed));
+    if (blocks.frames > 1) errors.remark += " (shorter blocks may do: average --error-blocks)";
     return errors;
   }
   errors.method = "jackknife of blocks";
@@ -147,8 +151,9 @@ FitErrors errors_from_blocks(const ExponentialProfile& fitted, const ColumnWitho
     const Eigen::ArrayXXd series = pseudo_values(fitted, blocks, fit);
     if (!series.isFinite().all()) return none;
     const Runs runs = by_run(series, blocks.runs);
-    return runs.share.size() >= enough_runs ? errors_of_runs(runs.mean, runs.share)
-                                            : errors_of_series(series, fitted, blocks);
+    const bool alike = 1 / runs.share.square().sum() >= enough_alike;
+    return runs.share.size() >= enough_runs && alike ? errors_of_runs(runs.mean, runs.share)
+                                                     : errors_of_series(series, fitted, blocks);
   } catch (const Error&) {
     return none;
   }
@@ -158,7 +163,7 @@ FitErrors errors_from_rings(const ExponentialProfile& fitted, const Eigen::Array
   FitErrors errors;
   const Eigen::ArrayXd error = error_of_ring(fitted.used);
   if (!error.isFinite().all()) {
-    errors.remark = "a ring has no error";
+    errors.remark = "a ring has no error (more frames, or --blocks)";
     return errors;
   }
   errors.method = "upper bound from the rings' errors";

@@ -16,6 +16,12 @@ namespace mikromakro {
 std::vector<std::string> expand_files(const std::vector<std::string>& patterns) {
   std::vector<std::string> files;
   for (const std::string& pattern : patterns) {
+    // A name may have brackets.
+    if (std::error_code code; std::filesystem::exists(pattern, code)) {
+      check_regular(pattern);
+      files.push_back(pattern);
+      continue;
+    }
     glob_t found{};
     const int code = glob(pattern.c_str(), 0, nullptr, &found);
     const std::size_t before = files.size();

@@ -20,7 +20,7 @@ void check_ids(const IdMap& ids, const RawFrame& raw) {
   const int twice = ids.duplicate();
   if (twice < 0) return;
   throw bad_input(raw.place_of_particle(static_cast<std::size_t>(twice)), "two particles of one id",
-                  "each id once per frame",
+                  "each id once per frame (another run: its own --particles)",
                   fmt::format("{} again", raw.particles[static_cast<std::size_t>(twice)].id));
 }
 
@@ -96,6 +96,7 @@ void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   const bool without = raw.with_contacts && frame.contacts.empty();
   if ((raw.closely || without) && rules.notes != nullptr) note_overlaps(raw, frame.contacts, rules);
   note_forces(frame.contacts, rules);
+  note_overlaps_of_contacts(raw.particles, frame.contacts, rules);
   // The rows are read anew for the next frame.
   frame.particles.swap(raw.particles);
   convert(raw.units, raw, frame);
@@ -122,18 +123,22 @@ std::vector<std::string> FrameSource::files() const {
   return all;
 }
 
-std::int64_t FrameSource::frame_count() const {
+FrameSource::Count FrameSource::count() const {
   const auto format = format_of(*this);
+  Count count;
   std::int64_t index = 0;
-  std::int64_t frames = 0;
-  for (std::int64_t step = 0; format->next(step); ++index)
-    if (format->take()) frames = index + 1;
-  return frames;
+  for (std::int64_t step = 0; format->next(step); ++index) {
+    if (!format->take()) continue;
+    if (count.frames == 0) count.first_step = step;
+    count.frames = index + 1;
+    count.last_step = step;
+  }
+  return count;
 }
 
 FrameSelection FrameSource::settled_selection() const {
   if (!selection.counts_from_the_end()) return selection;
-  const std::int64_t frames = frame_count();
+  const std::int64_t frames = count().frames;
   if (selection.first + frames < 0 && selection.last >= selection.first)
     notes->add(
         fmt::format("--frames: frame {} is the first one, {} would be before it", -frames, selection.first));
@@ -141,8 +146,10 @@ FrameSelection FrameSource::settled_selection() const {
 }
 
 Error FrameSource::no_frame_selected() const {
-  const std::int64_t frames = frame_count();
-  const std::string all = frames > 1 ? fmt::format(" of 0 to {}", frames - 1) : "";
+  const Count there = count();
+  const std::string all = there.frames > 1 ? fmt::format(" of 0 to {}, steps {} to {},", there.frames - 1,
+                                                         there.first_step, there.last_step)
+                                           : "";
   return bad_input({files().front()}, "no frame is selected",
                    fmt::format("frames{} that --frames and --steps select", all), "0");
 }

@@ -52,8 +52,12 @@ struct FrameSource {
   std::vector<Run> runs() const;
   /// The selection counted from the beginning, for which frames are counted where it must be.
   FrameSelection settled_selection() const;
+  struct Count {
+    std::int64_t frames = 0;
+    std::int64_t first_step = 0, last_step = 0;
+  };
   /// How many frames there are, for which they are read.
-  std::int64_t frame_count() const;
+  Count count() const;
   /// What to throw where none of them is selected.
   Error no_frame_selected() const;
   /// All files there are.

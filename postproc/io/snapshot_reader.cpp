@@ -288,7 +288,8 @@ bool SnapshotReader::next(std::int64_t& step) {
     if (!open_next()) return false;
   step = open_->summary.steps[frame_++];
   if (step <= last_step_)
-    throw bad_input({place()}, "time steps do not ascend", fmt::format("more than {}", last_step_),
+    throw bad_input({place()}, "time steps do not ascend",
+                    fmt::format("more than {} (another run: its own --snapshots)", last_step_),
                     fmt::format("{}", step));
   last_step_ = step;
   return true;

@@ -22,9 +22,11 @@ std::string report(const FieldErrors& made) {
   if (!decision.given)
     return fmt::format("{}, {:.3g} effective samples of the {:.3g} that are needed", time, decision.samples,
                        std::ceil(decision.needed));
+  const std::string runs =
+      std::isnan(made.between_runs) ? "" : fmt::format(", chi^2 between runs {:.2g}", made.between_runs);
   return fmt::format(
-      "{}, from series to series by {:.0f} %, {:.3g} effective samples, {:.3g} degrees of freedom", time,
-      100 * correlation.scatter, decision.samples, decision.freedom);
+      "{}, from series to series by {:.0f} %, {:.3g} effective samples, {:.3g} degrees of freedom{}", time,
+      100 * correlation.scatter, decision.samples, decision.freedom, runs);
 }
 
 JsonObject json_of(const FieldErrors& made) {
@@ -41,6 +43,7 @@ JsonObject json_of(const FieldErrors& made) {
   json.add("effective_samples", if_known(made.decision.samples));
   json.add("needed_samples", if_known(made.decision.needed));
   json.add("degrees_of_freedom", if_known(made.decision.freedom));
+  json.add("chi2_between_runs", made.between_runs);
   json.add("widening", made.decision.given ? made.decision.widening : std::nan(""));
   return json;
 }
@@ -56,6 +59,17 @@ void describe_errors(const BlockErrors& errors, const TimeAverage& average, Prea
                                  [](const FieldErrors& made) { return made.series > 0; });
   if (!known) return;
   for (const FieldErrors& made : errors.fields) lines.emplace_back("errors of", report(made));
+  constexpr double clearly_more = 2;
+  const bool differ = std::any_of(errors.fields.begin(), errors.fields.end(),
+                                  [](const FieldErrors& made) { return made.between_runs > clearly_more; });
+  if (differ)
+    lines.emplace_back(
+        "note",
+        "runs differ by more than their frames tell (chi^2 above 2): these are errors of these runs, "
+        "not of packings");
+  if (!errors.all() && average.block_length() > 1)
+    lines.emplace_back("note",
+                       "shorter blocks may give more errors: --error-blocks, or fewer fields or volumes");
 }
 
 JsonObject error_json(const BlockErrors& errors, const TimeAverage& average) {

@@ -1,4 +1,6 @@
 """Do the standard errors of one run cover what other packings give? Run B under Eq. 1 in eight seeds of 100 frames each."""
+import warnings
+
 import numpy as np
 
 from reproduction import profiles, sheet
@@ -30,14 +32,18 @@ def difference(name, a, b):
 
 
 def deviations(name, tables):
-    """Each run's values less the mean of the others, in the errors of both; runs x rings, nan where one has no error."""
+    """Each run's values less the mean of the others, in its own error and that of the mean of the others (the mean square of those that are
+    known, over their number); runs x rings, nan where the run has no error."""
     values, errors = (np.array([table[name + end] for table in tables]) for end in ("", "_err"))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # rings without any error
+        typical = np.nanmean(errors**2, axis=0)
     found = []
     for k in range(len(tables)):
         others = np.delete(np.arange(len(tables)), k)
         # About the own value, so that means of axes are means of neighbours.
         away = np.mean(difference(name, values[others], values[k]), axis=0)
-        error = np.sqrt(errors[k] ** 2 + np.sum(errors[others] ** 2, axis=0) / len(others) ** 2)
+        error = np.sqrt(errors[k] ** 2 + typical / len(others))
         found.append(-away / error)
     return np.array(found)
 

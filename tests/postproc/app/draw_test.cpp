@@ -40,7 +40,8 @@ TEST(Draw, BadOptionsGiveOneLineAndNoPicture) {
   fails(good + "--color mood",
         "--color: unknown quantity; expected one of radius velocity spin pressure contacts type, got 'mood'");
   fails(good + "--frames 5:",
-        "--frames: no frame is selected; expected frames that --frames and --steps select, got 0");
+        "good/particles.dump: no frame is selected; expected frames of 0 to 1, steps 100 to 200, that "
+        "--frames and --steps select, got 0");
   fails("draw --particles good/particles.dump --chains",
         "--contacts: the picture needs contacts; expected files of contacts, got none");
   EXPECT_EQ(

@@ -237,7 +237,8 @@ TEST(Fit, TooFewRingsAreAFailedRun) {
   const Ran ran = run_program("fit good/profile.csv --range 0 2.5");
   EXPECT_EQ(ran.code, 1);
   EXPECT_EQ(ran.err,
-            "mikromakro: too few rings for the fit; expected at least 3 with finite values, got 2\n");
+            "mikromakro: too few rings for the fit; expected at least 3 with finite values (r = 1.5 to 4.5 "
+            "m), got 2\n");
 }
 
 TEST(Program, HelpAndVersionAreNoErrors) {

@@ -234,5 +234,54 @@ TEST(BlockErrors, AreNanForWhatIsUndefinedWithoutABlock) {
   EXPECT_TRUE(std::isnan(errors.error(0, 0)));
 }
 
+// Thirty volumes, in ten of which there is a disc at all times, in the others for five frames now and then; a
+// velocity keeps for a visit. Of one or two visits nothing tells how the next would differ.
+TEST(BlockErrors, AreNanForVolumesThatAreSeldomOccupied) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform;
+  constexpr Eigen::Index count = 30, always = 10;
+  TimeAverage average(200);
+  Eigen::ArrayXi left = Eigen::ArrayXi::Zero(count), visits = left;
+  Eigen::ArrayXd velocity = Eigen::ArrayXd::Zero(count);
+  for (int frame = 0; frame < 200; ++frame) {
+    Rows sums = Rows::Zero(count, 2);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      if (left[i] == 0 && (i < always || uniform(random) < 0.01)) {
+        left[i] = i < always ? 1 : 5;
+        velocity[i] = normal(random);
+        ++visits[i];
+      }
+      if (left[i] == 0) continue;
+      --left[i];
+      sums.row(i) << 1, velocity[i] + 0.05 * normal(random);
+    }
+    average.add(sums);
+  }
+  const BlockErrors errors =
+      block_errors(average, [](const Rows& sums) { return Rows(sums.col(1) / sums.col(0)); }, {{"v", 1}});
+  EXPECT_TRUE(errors.error.topRows(always).isFinite().all());
+  ASSERT_TRUE((visits.tail(count - always) < 8).all() && (visits.tail(count - always) > 0).any());
+  EXPECT_TRUE(errors.error.bottomRows(count - always).isNaN().all());
+}
+
+// White noise of twenty volumes in eight runs: chi^2 is 1, with 20 x 7 degrees of freedom to 0.12: three
+// times that. Runs that are one standard deviation off from one another by turns, 25 frames each: 1 + 25
+// 8/7/4 and more of what it adds to the variance, 1.25.
+TEST(BlockErrors, TellHowRunsDiffer) {
+  std::mt19937_64 random(4);
+  for (const double offset : {0.0, 0.5}) {
+    TimeAverage average(200);
+    for (std::int64_t run = 0; run < 8; ++run)
+      for (const Rows& rows : CorrelatedNoise(0, 20, 1)(25, random))
+        average.add(rows + (run % 2 == 0 ? offset : -offset), run);
+    const FieldErrors made = errors_of(average, same).fields[0];
+    ASSERT_TRUE(made.decision.given);
+    const double variance = made.correlation.time * (1 + offset * offset);
+    const double expected = (1 + 25 * offset * offset * 8 / 7) / variance;
+    EXPECT_NEAR(made.between_runs / expected, 1, 0.36) << offset;
+  }
+}
+
 }  // namespace
 }  // namespace mikromakro

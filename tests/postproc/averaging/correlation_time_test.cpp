@@ -149,6 +149,24 @@ TEST(CorrelationTime, KeepsWhatSeriesDifferBy) {
   EXPECT_NEAR(alike.of_series.maxCoeff() / alike.of_series.minCoeff(), 1, 0.5);
 }
 
+// One series of 2 tau = 19 among 59 of 1, 200 frames: the window of all may see two or three lags of it. Its
+// 2 tau is not told then, or not less than a third of what it is; one in a thousand of the others is taken
+// for slow.
+TEST(CorrelationTime, IsNotToldOfASlowOneAmongFastOnes) {
+  std::mt19937_64 random(6);
+  constexpr int trials = 40;
+  int too_short = 0, fast_left_out = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    Rows both(200, 60);
+    both << noise(0, 59, 200, random), noise(0.9, 1, 200, random);
+    const Eigen::ArrayXd times = correlation_time(both, one_run(200)).of_series;
+    too_short += times[59] < 19.0 / 3 ? 1 : 0;
+    fast_left_out += static_cast<int>(times.head(59).isNaN().count());
+  }
+  EXPECT_LE(too_short, trials / 20);
+  EXPECT_LE(fast_left_out, 59 * trials / 1000 + 3);
+}
+
 TEST(CorrelationTime, IsNotToldWhereItIsBeyondAQuarterOfTheSeries) {
   std::mt19937_64 random(2);
   EXPECT_TRUE(std::isnan(correlation_time(noise(0.97, 50, 40, random), one_run(40)).time));

@@ -56,6 +56,31 @@ TEST(FitErrors, OfEightRunsAreThoseOfTheirMeans) {
   EXPECT_LT(errors.error[1], 1e-10 * s);
 }
 
+// Eight runs, one of two blocks, seven of one: shares 2/9 and 1/9, sum w^2 = 11/81, as 81/11 equal ones. With
+// 1 + x of v0, the mean is that of all blocks.
+TEST(FitErrors, OfRunsOfUnequalLength) {
+  const std::vector<double> x = {-0.03, -0.03, -0.02, -0.01, 0, 0.01, 0.02, 0.03, 0.04};
+  const FitErrors errors = errors_from_blocks(fit(profile()), in_step(x, {0, 0, 1, 2, 3, 4, 5, 6, 7}), fit);
+  double mean = 0, square = 0;
+  for (const double one : x) mean += one / 9;
+  for (const double one : x) square += (one - mean) * (one - mean) / 9;
+  constexpr double squares = 11.0 / 81;
+  const double error = v0 * std::sqrt(squares * square / (1 - squares));
+  EXPECT_EQ(errors.method, "jackknife of runs");
+  expect_measured(errors.freedom, 81.0 / 11 - 1, 1e-12);
+  expect_measured(errors.half_width[0] / (student_t(0.95, errors.freedom) * error), 1, 1e-8);
+}
+
+// A run that is as long as all others together says what the mean is, and nothing of how runs differ.
+TEST(FitErrors, AreNotOfRunsWhereOneIsMostOfThem) {
+  std::vector<double> x(30, 0);
+  std::vector<std::int64_t> runs(30, 0);
+  for (std::size_t i = 0; i < 30; ++i)
+    x[i] = 0.01 * (i % 2 == 0 ? 1 : -1) + (i < 23 ? 0 : 0.02 * (static_cast<double>(i) - 26));
+  for (std::size_t i = 23; i < 30; ++i) runs[i] = static_cast<std::int64_t>(i) - 22;
+  EXPECT_NE(errors_from_blocks(fit(profile()), in_step(x, runs), fit).method, "jackknife of runs");
+}
+
 // v0 and s change together as d v0/d v_i and d s/d v_i say: noise in one ring alone is a correlation of -1 or
 // 1, of that sign. A single series knows 2 tau from 600 blocks.
 TEST(FitErrors, CorrelationOfBothIsThatOfTheFit) {
