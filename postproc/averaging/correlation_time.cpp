@@ -80,9 +80,10 @@ double variance_of_one(const Window& window, double count) {
 }
 
 // With V the variance of the mean of a series, n V/(1 + V).
-Eigen::ArrayXd own_times(const LaggedProducts& products, const Window& window) {
+Eigen::ArrayXd own_times(const LaggedProducts& products, const Window& window,
+                         const Eigen::ArrayXd& in_window) {
   const double share = shares(products, window.lags()).sum();
-  const Eigen::ArrayXd variance_of_mean = products.sums_of_series(window.lags()) / (1 - share);
+  const Eigen::ArrayXd variance_of_mean = in_window / (1 - share);
   return products.count() / (1 - window.low) * variance_of_mean / (1 + variance_of_mean);
 }
 
@@ -104,15 +105,15 @@ constexpr double significant_of_one = 4;  // standard errors
 
 // By how much the lags behind those of the window, as many again, add more in each series than in all, in
 // standard errors.
-Eigen::ArrayXd beyond_window(LaggedProducts& products, const Window& window, Eigen::Index series) {
+Eigen::ArrayXd beyond_window(LaggedProducts& products, const Window& window,
+                             const Eigen::ArrayXd& in_window) {
   const Eigen::Index lags = window.lags(), ahead = std::min(2 * lags + 2, products.longest());
-  if (ahead == lags) return Eigen::ArrayXd::Zero(series);
+  if (ahead == lags) return Eigen::ArrayXd::Zero(in_window.size());
   const double pairs = shares(products, ahead).sum() - shares(products, lags).sum();
   double of_all = 0;
   for (Eigen::Index lag = lags + 1; lag <= ahead; ++lag) of_all += products.mean(lag);
   const auto more = static_cast<double>(ahead - lags);
-  const Eigen::ArrayXd of_one =
-      more * (products.sums_of_series(ahead) - products.sums_of_series(lags)) / pairs;
+  const Eigen::ArrayXd of_one = more * (products.sums_of_series(ahead) - in_window) / pairs;
   return (of_one - of_all) / std::sqrt(more * window.squares * std::max(window.time, 1.0) / products.count());
 }
 
@@ -135,7 +136,8 @@ CorrelationTime correlation_time(Rows series, const std::vector<std::int64_t>& r
   result.independent_series = products.independent_series(result.squares);
   const double of_one = variance_of_one(*window, products.count());
   const double of_all = of_one / result.independent_series;
-  const Eigen::ArrayXd relative = own_times(products, *window) / result.time;
+  const Eigen::ArrayXd in_window = products.sums_of_series(window->lags());
+  const Eigen::ArrayXd relative = own_times(products, *window, in_window) / result.time;
   const Scatter scatter = scatter_of(relative, of_one, result.independent_series);
   const double kept = scatter.variance > 0 ? scatter.variance / (scatter.variance + of_one) : 0;
   result.uncertainty = std::sqrt(of_all);
@@ -143,7 +145,7 @@ CorrelationTime correlation_time(Rows series, const std::vector<std::int64_t>& r
   if (!scatter.by_chance) result.unknown_scatter = (1 - kept) * result.scatter;
   result.of_series = (result.time * (1 + kept * (relative - 1))).max(1);
   // Slower than the window lets see, or than is kept of what it shows.
-  const auto slow = beyond_window(products, *window, relative.size()) > significant_of_one ||
+  const auto slow = beyond_window(products, *window, in_window) > significant_of_one ||
                     relative - result.of_series / result.time > significant_of_one * std::sqrt(of_one);
   result.of_series = slow.select(std::numeric_limits<double>::quiet_NaN(), result.of_series).eval();
   result.uncertainty_of_series = std::sqrt(kept * of_one + (1 - kept) * (1 - kept) * of_all);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "io/branch_images.h"
 #include "io/contact_pairs.h"
 #include "io/contact_tolerance.h"
 
@@ -37,11 +38,8 @@ class Joiner {
       : rows_(rows),
         discs_(discs),
         rules_(rules),
-        length_(discs.box.length()),
+        images_(discs.box),
         tolerance_(rows, discs.particles, discs.place_error) {
-    for (Eigen::Index axis = 0; axis < 2; ++axis)
-      if (!discs.box.periodic[static_cast<std::size_t>(axis)] || length_[axis] <= 0) length_[axis] = 0;
-    wraps_ = !length_.isZero();
     const ColumnSet given = rows.given_in_all();
     const auto all = [given](ColumnSet columns) { return (columns & ~given) == 0; };
     const auto none = [given](ColumnSet columns) { return (columns & given) == 0; };
@@ -67,6 +65,13 @@ class Joiner {
     check_spring(row, contact);
     check_components(row, contact, slack);
     return is_contact(row, contact, slack);
+  }
+
+  /// No law of discs is made for an overlap of more than half of the smaller radius.
+  bool is_deep(const Contact& contact) const {
+    const double one = disc(contact.index1).radius;
+    const double smaller = contact.with_wall() ? one : std::min(one, disc(contact.index2).radius);
+    return contact.overlap > 0.5 * smaller;
   }
 
  private:
@@ -116,14 +121,15 @@ class Joiner {
   }
 
   bool fits(const Contact& contact, const Vector2d& between, double reach, double slack) const {
-    return nearest(between - (reach - contact.overlap) * contact.normal).squaredNorm() <= slack * slack;
+    return images_.nearest(between - (reach - contact.overlap) * contact.normal).squaredNorm() <=
+           slack * slack;
   }
 
   /// Normal and overlap of two discs, checked or derived; gives the tolerance.
   double join_discs(const Row& row, Contact& contact) const {
     const Particle& one = disc(contact.index1);
     const Particle& two = disc(contact.index2);
-    if (contact.id1 == contact.id2 && !wraps_)
+    if (contact.id1 == contact.id2 && !images_.any())
       throw bad_input(rows_.place(row.index), "a disc in contact with itself", "two ids",
                       fmt::format("twice {}", contact.id1));
     const bool by_row = row.has(place_columns);
@@ -151,7 +157,7 @@ class Joiner {
     if (!std::isnan(row[x1]) && !std::isnan(row[x2])) {
       check_place(row, x1, y1, one);
       Vector2d branch = row.place(x2, y2) - row.place(x1, y1);
-      if (branch.norm() > one.radius) branch = nearest(branch);
+      if (branch.norm() > one.radius) branch = images_.nearest(branch);
       check_branch(row, branch, one.radius, slack, contact);
       return slack;
     }
@@ -164,7 +170,7 @@ class Joiner {
 
   bool is_at(const ContactRow& row, ContactColumn x, ContactColumn y, const Particle& disc,
              double allowed) const {
-    const Vector2d apart = nearest(Vector2d(row[x], row[y]) - disc.position);
+    const Vector2d apart = images_.nearest(Vector2d(row[x], row[y]) - disc.position);
     return std::abs(apart.x()) <= allowed && std::abs(apart.y()) <= allowed;
   }
 
@@ -201,14 +207,14 @@ class Joiner {
   Vector2d branch_of(const Row& row, const Vector2d& between, double reach, bool by_row, double slack) const {
     if (by_row) {
       const Vector2d branch = row_branch(row, reach, slack);
-      return tolerance_.discs_are_better() ? image_near(between, branch) : branch;
+      return tolerance_.discs_are_better() ? images_.nearest_to(branch, between) : branch;
     }
     if (row.has(normal_columns)) {
-      if (!wraps_) return between;
+      if (!images_.any()) return between;
       const double gap = row.has(overlap) ? -row[overlap] : 0;
-      return image_near(between, (reach + gap) * row.place(nx, ny));
+      return images_.nearest_to((reach + gap) * row.place(nx, ny), between);
     }
-    Vector2d branch = nearest(between);
+    Vector2d branch = images_.nearest(between);
     check_one_image(row, branch, reach);
     return branch;
   }
@@ -218,18 +224,18 @@ class Joiner {
   Vector2d row_branch(const Row& row, double reach, double slack) const {
     Vector2d branch = row.place(x2, y2) - row.place(x1, y1);
     if (row.has(periodic) && row[periodic] == 0) return branch;
-    if (row.has(periodic) && !wraps_ && branch.norm() > reach + slack)
+    if (row.has(periodic) && !images_.any() && branch.norm() > reach + slack)
       throw bad_input(rows_.place(row.index), "a contact through a periodic boundary in a box that has none",
                       "a periodic box in the dump of particles ('ITEM: BOX BOUNDS pp ...')", "periodic = 1");
-    if (row.has(periodic) && wraps_ && is_inside(row.place(x1, y1)) && is_inside(row.place(x2, y2)))
+    if (row.has(periodic) && images_.any() && is_inside(row.place(x1, y1)) && is_inside(row.place(x2, y2)))
       return direct_or_image(row, branch, reach, slack);
-    return branch.norm() <= reach + slack ? branch : nearest(branch);
+    return branch.norm() <= reach + slack ? branch : images_.nearest(branch);
   }
 
   /// Where both touch, in a box that is hardly wider than two discs, the overlap tells; without one, or where
   /// it is that of both, it is the image, as on one rank.
   Vector2d direct_or_image(const Row& row, const Vector2d& branch, double reach, double slack) const {
-    Vector2d image = nearest_other(branch);
+    Vector2d image = images_.nearest_other(branch);
     if (branch.norm() > reach + slack) return image;
     if (image.norm() > reach + slack) return branch;
     const bool is_direct = row.has(overlap) && std::abs(reach - branch.norm() - row[overlap]) <= slack &&
@@ -242,38 +248,12 @@ class Joiner {
     return (place.array() >= box.low.array()).all() && (place.array() <= box.high.array()).all();
   }
 
-  Vector2d nearest(Vector2d branch) const {
-    if (!wraps_) return branch;
-    for (Eigen::Index axis = 0; axis < 2; ++axis)
-      if (length_[axis] > 0) branch[axis] -= length_[axis] * std::round(branch[axis] / length_[axis]);
-    return branch;
-  }
-
-  /// The nearest of all images but the disc itself.
-  Vector2d nearest_other(const Vector2d& branch) const {
-    Vector2d best(1e300, 0);
-    for (int along_x = -1; along_x <= 1; ++along_x)
-      for (int along_y = -1; along_y <= 1; ++along_y) {
-        const Vector2d shift(along_x * length_.x(), along_y * length_.y());
-        if (!shift.isZero() && (branch + shift).norm() < best.norm()) best = branch + shift;
-      }
-    return best;
-  }
-
-  Vector2d image_near(const Vector2d& branch, const Vector2d& wanted) const {
-    return wanted + nearest(branch - wanted);
-  }
-
   /// Only the nearest image touches, unless the box is narrower than the two discs.
   void check_one_image(const Row& row, const Vector2d& branch, double reach) const {
-    for (Eigen::Index axis = 0; axis < 2; ++axis) {
-      if (length_[axis] == 0) continue;
-      const double other = length_[axis] - std::abs(branch[axis]);
-      if (std::hypot(other, branch[1 - axis]) < reach)
-        throw bad_input(rows_.place(row.index),
-                        "the discs touch through two images, the row does not say which",
-                        "columns nx ny or x1 y1 x2 y2", "neither");
-    }
+    if (images_.two_within(reach, branch))
+      throw bad_input(rows_.place(row.index),
+                      "the discs touch through two images, the row does not say which",
+                      "columns nx ny or x1 y1 x2 y2", "neither");
   }
 
   /// Sets what the row does not tell, checks what it tells.
@@ -359,8 +339,7 @@ class Joiner {
   const ContactRows& rows_;
   const ContactDiscs& discs_;
   const ContactRules& rules_;
-  Vector2d length_;  ///< 0 along an axis that is not periodic
-  bool wraps_ = false;
+  BranchImages images_;
   bool plain_ = false;  ///< rows without anything that join_plain does not look at
   bool with_places_ = false, with_components_ = false;
   ContactTolerance tolerance_;
@@ -389,20 +368,30 @@ void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>
 std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& discs,
                                    const ContactRules& rules) {
   const Joiner joiner(rows, discs, rules);
-  std::vector<Contact> contacts(rows.rows.size());
-  std::vector<std::size_t> row_of(rows.rows.size());
-  std::size_t count = 0;
+  std::vector<Contact> contacts;
+  std::vector<std::size_t> row_of;
+  std::int64_t deep = 0;
+  contacts.reserve(rows.rows.size());
+  row_of.reserve(rows.rows.size());
+  Contact contact;
   for (std::size_t i = 0; i < rows.rows.size(); ++i) {
-    row_of[count] = i;
-    if (joiner.join(i, contacts[count])) ++count;
+    if (!joiner.join(i, contact)) continue;
+    contacts.push_back(contact);
+    row_of.push_back(i);
+    deep += joiner.is_deep(contact) ? 1 : 0;
   }
-  contacts.resize(count);
   check_pairs(contacts, row_of, rows, discs.box);
   check_springs_pull_back(rows, contacts);
   const auto left_out = static_cast<std::int64_t>(rows.rows.size() - contacts.size());
-  if (left_out > 0 && rules.notes != nullptr)
+  if (rules.notes == nullptr) return contacts;
+  if (left_out > 0)
     rules.notes->add("near pairs without force that do not touch are no contacts, left out", rules.step,
                      left_out);
+  if (deep > 0)
+    rules.notes->add(
+        "contacts overlap by more than half of the smaller radius (k_n too small for the load, or a density "
+        "in kg/m^3 where rho h in kg/m^2 was meant?)",
+        rules.step, deep);
   return contacts;
 }
 

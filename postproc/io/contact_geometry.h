@@ -32,7 +32,8 @@ struct ContactRules {
 /// there is a column `periodic` only for rows that have 1 there; without either the nearest one. overlap =
 /// a_1 + a_2 - |r_1 - r_2| (a_2 = 0 for a wall) where no column gives it, or dist; the force from fn and ft
 /// where fx and fy are missing; the spring from shearx, sheary where xi is. Rows without force whose discs do
-/// not touch are near pairs, no contacts: left out and noted.
+/// not touch are near pairs, no contacts: left out and noted. Noted, too: overlaps of more than half of the
+/// smaller radius.
 ///
 /// Throws: an id without particle; places, normal, overlap or distance of a row that are not those of its
 /// discs within the digits of the files; a force between discs that do not touch, unless the rules allow it;

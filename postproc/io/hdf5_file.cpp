@@ -109,6 +109,23 @@ std::vector<std::string> fixed_texts(const Hdf5Id& attribute, const Hdf5Id& type
   return texts;
 }
 
+std::vector<std::string> texts_of(const Hdf5Id& attribute, const std::string& place) {
+  const Hdf5Id space(H5Aget_space(attribute.get()), H5Sclose);
+  const auto count = H5Sget_simple_extent_npoints(space.get());
+  if (count < 0) cannot_read(place);
+  const Hdf5Id stored(H5Aget_type(attribute.get()), H5Tclose);
+  if (H5Tget_class(stored.get()) == H5T_STRING && H5Tis_variable_str(stored.get()) == 0)
+    return fixed_texts(attribute, stored, static_cast<std::size_t>(count), place);
+  std::vector<char*> texts(static_cast<std::size_t>(count), nullptr);
+  const Hdf5Id type = text_type(H5T_VARIABLE, H5T_CSET_UTF8);
+  if (H5Aread(attribute.get(), type.get(), texts.data()) < 0) cannot_read(place);
+  std::vector<std::string> values;
+  values.reserve(texts.size());
+  for (const char* text : texts) values.emplace_back(text != nullptr ? text : "");
+  H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, texts.data());
+  return values;
+}
+
 // A list of properties for a new object: the same content makes the same file at any time.
 Hdf5Id without_times(hid_t kind) {
   Hdf5Id list(H5Pcreate(kind), H5Pclose);
@@ -120,6 +137,12 @@ Hdf5Id without_times(hid_t kind) {
 
 void leave_hdf5_open_at_exit() {
   H5dont_atexit();
+}
+
+std::optional<std::vector<std::string>> Hdf5Dataset::text_attribute(const std::string& name) const {
+  if (H5Aexists(id_.get(), name.c_str()) <= 0) return {};
+  const Hdf5Id id(H5Aopen(id_.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
+  return texts_of(id, fmt::format("{}@{}", place_, name));
 }
 
 Hdf5Shape Hdf5Dataset::shape() const {
@@ -327,22 +350,7 @@ std::vector<std::int64_t> Hdf5File::number_attribute(const std::string& path, co
 
 std::vector<std::string> Hdf5File::text_attribute(const std::string& path, const std::string& name) const {
   const Hdf5Id id(H5Aopen_by_name(id_.get(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  const Hdf5Id space(H5Aget_space(id.get()), H5Sclose);
-  const auto count = H5Sget_simple_extent_npoints(space.get());
-  if (count < 0) cannot_read(fmt::format("{}:{}@{}", file_, path, name));
-  const Hdf5Id stored(H5Aget_type(id.get()), H5Tclose);
-  if (H5Tget_class(stored.get()) == H5T_STRING && H5Tis_variable_str(stored.get()) == 0)
-    return fixed_texts(id, stored, static_cast<std::size_t>(count),
-                       fmt::format("{}:{}@{}", file_, path, name));
-  std::vector<char*> texts(static_cast<std::size_t>(count), nullptr);
-  const Hdf5Id type = text_type(H5T_VARIABLE, H5T_CSET_UTF8);
-  if (H5Aread(id.get(), type.get(), texts.data()) < 0)
-    cannot_read(fmt::format("{}:{}@{}", file_, path, name));
-  std::vector<std::string> values;
-  values.reserve(texts.size());
-  for (const char* text : texts) values.emplace_back(text != nullptr ? text : "");
-  H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, texts.data());
-  return values;
+  return texts_of(id, fmt::format("{}:{}@{}", file_, path, name));
 }
 
 void Hdf5File::flush() {

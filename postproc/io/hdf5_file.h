@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -66,6 +67,8 @@ class Hdf5Dataset {
   /// For messages.
   const std::string& place() const { return place_; }
   std::int64_t id() const { return id_.get(); }
+  /// Nothing where there is no attribute of this name.
+  std::optional<std::vector<std::string>> text_attribute(const std::string& name) const;
   void grow(const Hdf5Shape& shape);
   /// Grows where it is shorter than `shape`, along each dimension; gives its new lengths.
   Hdf5Shape reach(const Hdf5Shape& shape);

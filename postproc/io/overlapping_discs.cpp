@@ -4,8 +4,10 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <span>
+#include <iterator>
+#include <utility>
 
+#include "io/branch_images.h"
 #include "io/contact_tolerance.h"
 
 namespace mikromakro {
@@ -36,21 +38,18 @@ class Grid {
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
       cell_[axis] = wanted;
       if (!box.periodic[static_cast<std::size_t>(axis)] || !(length[axis] > 0)) continue;
-      length_[axis] = length[axis];
       around_[axis] = std::max<std::int64_t>(1, static_cast<std::int64_t>(length[axis] / wanted));
       cell_[axis] = length[axis] / static_cast<double>(around_[axis]);
     }
     fill(discs);
   }
 
-  std::size_t buckets() const { return begin_.size() - 1; }
-  std::span<const int> discs_in(std::size_t bucket) const {
-    return std::span(entries_).subspan(begin_[bucket], begin_[bucket + 1] - begin_[bucket]);
-  }
-  Vector2d nearest(Vector2d branch) const {
-    for (Eigen::Index axis = 0; axis < 2; ++axis)
-      if (length_[axis] > 0) branch[axis] -= length_[axis] * std::round(branch[axis] / length_[axis]);
-    return branch;
+  /// Visits the discs that share a cell with `disc`, once for each cell.
+  template <typename Visit>
+  void visit_neighbours(const Particle& disc, Visit visit) const {
+    visit_buckets(disc, [&](std::size_t bucket) {
+      for (std::size_t entry = begin_[bucket]; entry < begin_[bucket + 1]; ++entry) visit(entries_[entry]);
+    });
   }
 
  private:
@@ -99,35 +98,27 @@ class Grid {
 
   Vector2d low_;
   Vector2d cell_ = Vector2d::Zero();
-  Vector2d length_ = Vector2d::Zero();                 // 0 along an axis that is not periodic
   Eigen::Matrix<std::int64_t, 2, 1> around_ = {0, 0};  // cells of the box
   std::vector<std::size_t> begin_;                     // of each bucket in entries_
   std::vector<int> entries_;                           // indices of discs
 };
 
-// Visits each pair of discs that overlap with its overlap, pairs that share several cells more than once.
+// Visits each pair of discs that overlap with its overlap.
 template <typename Visit>
 void visit_overlaps(const std::vector<Particle>& discs, const Box& box, Visit visit) {
   const Grid grid(discs, box);
-  for (std::size_t bucket = 0; bucket < grid.buckets(); ++bucket) {
-    const auto inside = grid.discs_in(bucket);
-    for (std::size_t i = 0; i < inside.size(); ++i)
-      for (std::size_t j = i + 1; j < inside.size(); ++j) {
-        const Particle& one = discs[static_cast<std::size_t>(inside[i])];
-        const Particle& two = discs[static_cast<std::size_t>(inside[j])];
-        const double reach = one.radius + two.radius;
-        const Vector2d branch = grid.nearest(two.position - one.position);
-        if (branch.squaredNorm() < reach * reach && inside[i] != inside[j])
-          visit(DiscPair{inside[i], inside[j], reach - branch.norm()});
-      }
+  const BranchImages images(box);
+  std::vector<int> seen_by(discs.size(), -1);  // as two discs may share several cells
+  for (int i = 0; i < std::ssize(discs); ++i) {
+    const Particle& one = discs[static_cast<std::size_t>(i)];
+    grid.visit_neighbours(one, [&](int j) {
+      if (j <= i || std::exchange(seen_by[static_cast<std::size_t>(j)], i) == i) return;
+      const Particle& two = discs[static_cast<std::size_t>(j)];
+      const double reach = one.radius + two.radius;
+      const Vector2d branch = images.nearest(two.position - one.position);
+      if (branch.squaredNorm() < reach * reach) visit(DiscPair{i, j, reach - branch.norm()});
+    });
   }
-}
-
-void sort_out(std::vector<DiscPair>& pairs) {
-  std::sort(pairs.begin(), pairs.end(), [](const DiscPair& a, const DiscPair& b) {
-    return a.first != b.first ? a.first < b.first : a.second < b.second;
-  });
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
 // The partners of each disc that contacts name, under the smaller index of both.
@@ -167,7 +158,9 @@ bool is_averaged(const Particle& disc, const std::vector<int>& types) {
 std::vector<DiscPair> overlapping_discs(const std::vector<Particle>& discs, const Box& box) {
   std::vector<DiscPair> pairs;
   visit_overlaps(discs, box, [&](const DiscPair& pair) { pairs.push_back(pair); });
-  sort_out(pairs);
+  std::sort(pairs.begin(), pairs.end(), [](const DiscPair& a, const DiscPair& b) {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+  });
   return pairs;
 }
 
@@ -175,30 +168,26 @@ void note_overlaps(const RawFrame& raw, const std::vector<Contact>& contacts, co
   const std::vector<Particle>& discs = raw.particles;
   const Listed listed(contacts, discs.size());
   const ContactTolerance tolerance(raw.contacts, discs, raw.place_error);
-  std::vector<DiscPair> unlisted, on_one_another;
+  std::int64_t unlisted = 0, on_one_another = 0;
   visit_overlaps(discs, raw.box, [&](const DiscPair& pair) {
     const Particle& one = discs[static_cast<std::size_t>(pair.first)];
     const Particle& two = discs[static_cast<std::size_t>(pair.second)];
     if (!is_averaged(one, rules.averaged_types) && !is_averaged(two, rules.averaged_types)) return;
     const double smaller = std::min(one.radius, two.radius);
-    if (pair.overlap > 0.5 * smaller) on_one_another.push_back(pair);
+    if (pair.overlap > 0.5 * smaller) ++on_one_another;
     if (!raw.with_contacts || listed.has(pair)) return;
-    if (pair.overlap > tolerance.of_geometry(smaller, one.radius + two.radius, not_given, false))
-      unlisted.push_back(pair);
+    if (pair.overlap > tolerance.of_geometry(smaller, one.radius + two.radius, not_given, false)) ++unlisted;
   });
-  sort_out(unlisted);
-  sort_out(on_one_another);
-  if (!on_one_another.empty())
+  if (on_one_another > 0)
     rules.notes->add(
         "discs lie on one another, by more than half a radius (a periodic box that is too short, or a "
-        "packing "
-        "that is there twice?); looked for now and then",
-        raw.step, std::ssize(on_one_another));
-  if (!unlisted.empty())
+        "packing that is there twice?); looked for now and then",
+        raw.step, on_one_another);
+  if (unlisted > 0)
     rules.notes->add(
         "discs overlap but have no row of a contact, which stress, fabric and coordination lack (rows of a "
         "group only, or of another run?); looked for now and then",
-        raw.step, std::ssize(unlisted));
+        raw.step, unlisted);
 }
 
 }  // namespace mikromakro

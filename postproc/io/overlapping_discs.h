@@ -13,7 +13,6 @@ struct DiscPair {
   int first = -1;  ///< index of a disc, the smaller one
   int second = -1;
   double overlap = 0;  ///< a_1 + a_2 - distance of the nearest images, > 0
-  bool operator==(const DiscPair& other) const { return first == other.first && second == other.second; }
 };
 
 /// All pairs of discs that overlap, each once, in ascending order. In a periodic box it is the nearest image

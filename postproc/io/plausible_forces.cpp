@@ -4,23 +4,6 @@
 
 namespace mikromakro {
 
-void note_overlaps_of_contacts(const std::vector<Particle>& particles, const std::vector<Contact>& contacts,
-                               const ContactRules& rules) {
-  if (rules.notes == nullptr) return;
-  constexpr double most = 0.5;  // radii
-  const auto radius = [&](int index) { return particles[static_cast<std::size_t>(index)].radius; };
-  const auto deep = std::count_if(contacts.begin(), contacts.end(), [&](const Contact& contact) {
-    const double one = radius(contact.index1);
-    const double smaller = contact.with_wall() ? one : std::min(one, radius(contact.index2));
-    return contact.overlap > most * smaller;
-  });
-  if (deep > 0)
-    rules.notes->add(
-        "contacts overlap by more than half of the smaller radius (k_n too small for the load, or a density "
-        "in kg/m^3 where rho h in kg/m^2 was meant?)",
-        rules.step, deep);
-}
-
 void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules) {
   if (rules.notes == nullptr || contacts.empty()) return;
   constexpr std::size_t enough = 64;

@@ -14,8 +14,4 @@ namespace mikromakro {
 /// turn all of them. Looks at some contacts of each frame. Nothing where forces are not given (nan).
 void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules);
 
-/// Notes contacts that overlap by more than half of the smaller radius, which no law of discs is made for.
-void note_overlaps_of_contacts(const std::vector<Particle>& particles, const std::vector<Contact>& contacts,
-                               const ContactRules& rules);
-
 }  // namespace mikromakro

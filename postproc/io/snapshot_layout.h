@@ -40,6 +40,10 @@ inline constexpr Element elements[] = {{"id", "", ParticleColumn::id, 1},
                                        {"spin", "rad s-1", ParticleColumn::omegaz, 1},
                                        {"mass", "kg", ParticleColumn::mass, 1}};
 
+inline std::string value_path(const Element& element) {
+  return discs + std::string(element.name) + "/value";
+}
+
 /// /contacts/<column>: rows of all frames one after the other, by the names of `compute contact/disc`; those
 /// of frame i are offset[i] to offset[i + 1]; /contacts/step.
 inline const std::string contacts = "/contacts/";
@@ -47,6 +51,10 @@ inline constexpr std::string_view contact_units[] = {"",  "",  "m", "m", "m",   
                                                      "N", "N", "N", "m", "m s-1", "m s-1", "", "m", "m", "m"};
 inline bool whole(ContactColumn column) {
   return column == ContactColumn::id1 || column == ContactColumn::id2 || column == ContactColumn::periodic;
+}
+
+inline std::string contact_path(std::size_t slot) {
+  return contacts + std::string(contact_column_names[slot]);
 }
 
 /// Of runs only. /walls/<name>/{step, time, value}: numbers of a fix, frame by frame; attribute `style` of

@@ -18,28 +18,8 @@
 namespace mikromakro {
 namespace {
 
-constexpr std::uint64_t most_rows = 0x7fffffff;
-const std::string steps_path = "/particles/discs/position/step";
-const std::string times_path = "/particles/discs/position/time";
-
 ColumnNames without_option(const ColumnNames& names) {
   return {names.known, names.ignored, ""};
-}
-
-std::vector<std::int64_t> all_of(const Hdf5File& file, const std::string& path) {
-  const Hdf5Dataset dataset = file.dataset(path);
-  const Hdf5Shape shape = dataset.shape();
-  std::vector<std::int64_t> numbers(shape.size() == 1 ? shape[0] : 0);
-  dataset.read<std::int64_t>({{0}, {numbers.size()}}, numbers);
-  return numbers;
-}
-
-std::string value_path(const snapshot::Element& element) {
-  return snapshot::discs + std::string(element.name) + "/value";
-}
-
-std::string contact_path(std::size_t slot) {
-  return snapshot::contacts + std::string(contact_column_names[slot]);
 }
 
 // Rows are filled by blocks that stay in the processor's cache.
@@ -95,100 +75,7 @@ void fill_block(const std::vector<Stripe>& stripes, std::size_t begin, std::span
   }
 }
 
-// Files of other programs may have other units; a file of ours says its own. None: SI.
-void check_unit(const Hdf5File& file, const std::string& path, std::string_view unit,
-                const std::string& name) {
-  if (unit.empty() || !file.has_attribute(path, "unit")) return;
-  const std::vector<std::string> there = file.text_attribute(path, "unit");
-  if (there.size() != 1 || there.front() != unit)
-    throw bad_input({name}, fmt::format("{} has another unit", path), in_quotes(unit),
-                    in_quotes(fmt::format("{}", fmt::join(there, " "))));
-}
-
-// One or two numbers for each place of each frame; other programs write three coordinates.
-void check_shape(const Hdf5File& file, const snapshot::Element& element, const std::string& name) {
-  const Hdf5Shape shape = file.dataset(value_path(element)).shape();
-  const auto width = static_cast<std::uint64_t>(element.width);
-  const bool fits = width == 1 ? shape.size() == 2 : shape.size() == 3 && shape[2] == width;
-  if (!fits)
-    throw bad_input({name}, fmt::format("{} has another shape", value_path(element)),
-                    width == 1 ? "frames x discs" : fmt::format("frames x discs x {}", width),
-                    fmt::format("{}", fmt::join(shape, " x ")));
-}
-
 }  // namespace
-
-namespace {
-
-void check_steps_of_contacts(const Hdf5File& file, const std::vector<std::int64_t>& steps,
-                             const std::string& name) {
-  if (!file.has(snapshot::contacts + "step")) return;
-  const std::vector<std::int64_t> of_contacts = all_of(file, snapshot::contacts + "step");
-  const auto [step, other] =
-      std::mismatch(steps.begin(), steps.end(), of_contacts.begin(), of_contacts.end());
-  if (step == steps.end()) return;
-  throw bad_input({name}, "contacts are not of the steps of the discs", fmt::format("step {}", *step),
-                  other == of_contacts.end() ? "none" : fmt::format("{}", *other));
-}
-
-// In s, of each step; empty where the file has none.
-std::vector<double> times_of(const Hdf5File& file, std::size_t frames, const std::string& name) {
-  if (!file.has(times_path)) return {};
-  check_unit(file, times_path, "s", name);
-  const Hdf5Dataset dataset = file.dataset(times_path);
-  const Hdf5Shape shape = dataset.shape();
-  if (shape.size() != 1 || shape[0] < frames)
-    throw bad_input({name}, fmt::format("{} has another shape", times_path), fmt::format("{} times", frames),
-                    fmt::format("{}", fmt::join(shape, " x ")));
-  std::vector<double> times(frames);
-  dataset.read<double>({{0}, {frames}}, times);
-  return times;
-}
-
-}  // namespace
-
-SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& name) {
-  if (!file.has("/h5md") || !file.has(steps_path) || !file.has("/particles/discs/id/value"))
-    throw bad_input({name}, "no snapshots in the file",
-                    "/h5md and /particles/discs as mikromakro writes them", "neither");
-  SnapshotSummary summary;
-  summary.steps = all_of(file, steps_path);
-  while (!summary.steps.empty() && summary.steps.back() == snapshot::no_id) summary.steps.pop_back();
-  for (const auto& element : snapshot::elements)
-    if (file.has(value_path(element))) {
-      check_shape(file, element, name);
-      check_unit(file, value_path(element), element.unit, name);
-      summary.particles_given |= element.columns();
-    }
-  const Hdf5Shape shape = file.dataset("/particles/discs/id/value").shape();
-  if (shape.size() != 2 || shape[0] < summary.steps.size())
-    throw bad_input({name}, "the frames do not fit together",
-                    fmt::format("{} frames of ids", summary.steps.size()),
-                    fmt::format("{}", shape.empty() ? 0 : shape[0]));
-  if (shape[1] > most_rows)
-    throw bad_input({name}, "the number of particles is no number of discs", "less than 2^31",
-                    fmt::format("{}", shape[1]));
-  summary.most_particles = shape[1];
-  if (!file.has(snapshot::contacts + "offset")) return summary;
-  for (std::size_t slot = 0; slot < std::size(contact_column_names); ++slot)
-    if (file.has(contact_path(slot))) {
-      check_unit(file, contact_path(slot), snapshot::contact_units[slot], name);
-      summary.contacts_given |= ColumnSet{1} << slot;
-    }
-  check_steps_of_contacts(file, summary.steps, name);
-  summary.contact_offsets = all_of(file, snapshot::contacts + "offset");
-  auto& offsets = summary.contact_offsets;
-  offsets.resize(std::min(offsets.size(), summary.steps.size() + 1));
-  if (offsets.size() != summary.steps.size() + 1 || offsets.front() != 0 ||
-      !std::is_sorted(offsets.begin(), offsets.end()))
-    throw bad_input({name}, "contacts do not fit the frames", "offsets that ascend, one more than frames",
-                    "others");
-  const std::uint64_t rows = file.has(contact_path(0)) ? file.dataset(contact_path(0)).shape().front() : 0;
-  if (static_cast<std::uint64_t>(offsets.back()) > rows)
-    throw bad_input({name}, "contacts are missing", fmt::format("{} rows", offsets.back()),
-                    fmt::format("{}", rows));
-  return summary;
-}
 
 // The boxes of all frames (32 bytes each).
 struct Boxes {
@@ -223,10 +110,7 @@ struct Boxes {
 
 struct SnapshotReader::Open {
   Open(const std::string& name, const ColumnWishes& wishes)
-      : file(Hdf5File::open(name)),
-        summary(summarise_snapshots(file, name)),
-        boxes(file, summary, name),
-        times(times_of(file, summary.steps.size(), name)) {
+      : file(Hdf5File::open(name)), summary(summarise_snapshots(file, name)), boxes(file, summary, name) {
     const ColumnMap particles{{}, summary.particles_given};
     require_columns(particles,
                     wishes.particles_needed | particle_base_columns | column_set(ParticleColumn::id),
@@ -235,20 +119,17 @@ struct SnapshotReader::Open {
     if (wishes.contacts_needed != 0)
       require_columns(contacts, required_contact_columns(wishes.contacts_needed, summary.contacts_given),
                       without_option(contact_names()), {name});
-    for (const auto& element : snapshot::elements)
-      elements.push_back((element.columns() & summary.particles_given) != 0
-                             ? ChunkReader(file.dataset(value_path(element)))
-                             : ChunkReader());
+    for (Hdf5Dataset& dataset : summary.elements)
+      elements.push_back(dataset.id() >= 0 ? ChunkReader(std::move(dataset)) : ChunkReader());
     const ColumnSet wanted = wanted_contact_columns(wishes.contacts_needed, summary.contacts_given, true);
-    for (std::size_t slot = 0; slot < std::size(contact_column_names); ++slot)
-      columns.push_back((wanted >> slot & 1U) != 0 ? ChunkReader(file.dataset(contact_path(slot)))
+    for (std::size_t slot = 0; slot < summary.columns.size(); ++slot)
+      columns.push_back((wanted >> slot & 1U) != 0 ? ChunkReader(std::move(summary.columns[slot]))
                                                    : ChunkReader());
   }
 
   Hdf5File file;
   SnapshotSummary summary;
   Boxes boxes;
-  std::vector<double> times;          // s; none where the file has none
   std::vector<ChunkReader> elements;  // by the order of snapshot::elements
   std::vector<ChunkReader> columns;   // by ContactColumn
 };
@@ -319,7 +200,7 @@ UnpackFrame SnapshotReader::take(bool closely) {
   const std::uint64_t frame = frame_ - 1;
   packed->place = place();
   packed->step = last_step_;
-  if (!open_->times.empty()) packed->time = open_->times[frame];
+  if (!summary.times.empty()) packed->time = summary.times[frame];
   packed->box = open_->boxes.of(frame);
   packed->particles_given = summary.particles_given;
   for (std::size_t i = 0; i < std::size(snapshot::elements); ++i) {

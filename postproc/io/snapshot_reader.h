@@ -8,19 +8,10 @@
 
 #include "io/frame_format.h"
 #include "io/hdf5_file.h"
+#include "io/snapshot_summary.h"
 #include "io/text_frames.h"
 
 namespace mikromakro {
-
-/// What is in a snapshot file, told without reading its frames.
-struct SnapshotSummary {
-  std::vector<std::int64_t> steps;
-  std::vector<std::int64_t> contact_offsets;  ///< empty: no contacts
-  std::uint64_t most_particles = 0;
-  ColumnSet particles_given = 0;
-  ColumnSet contacts_given = 0;
-};
-SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& name);
 
 /// Reads one frame at a time, only columns that are needed. Checks numbers as the text readers do; in
 /// messages the line is the row within the frame. Throws: no or damaged HDF5, missing columns, time steps

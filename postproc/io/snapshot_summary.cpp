@@ -1,0 +1,123 @@
+#include "io/snapshot_summary.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "io/error.h"
+#include "io/snapshot_layout.h"
+
+namespace mikromakro {
+namespace {
+
+constexpr std::uint64_t most_rows = 0x7fffffff;
+const std::string steps_path = "/particles/discs/position/step";
+const std::string times_path = "/particles/discs/position/time";
+
+std::vector<std::int64_t> all_of(const Hdf5File& file, const std::string& path) {
+  const Hdf5Dataset dataset = file.dataset(path);
+  const Hdf5Shape shape = dataset.shape();
+  std::vector<std::int64_t> numbers(shape.size() == 1 ? shape[0] : 0);
+  dataset.read<std::int64_t>({{0}, {numbers.size()}}, numbers);
+  return numbers;
+}
+
+// Files of other programs may have other units; a file of ours says its own. None: SI.
+void check_unit(const Hdf5Dataset& dataset, const std::string& path, std::string_view unit,
+                const std::string& name) {
+  if (unit.empty()) return;
+  const auto there = dataset.text_attribute("unit");
+  if (there && (there->size() != 1 || there->front() != unit))
+    throw bad_input({name}, fmt::format("{} has another unit", path), in_quotes(unit),
+                    in_quotes(fmt::format("{}", fmt::join(*there, " "))));
+}
+
+// One or two numbers for each place of each frame; other programs write three coordinates.
+void check_shape(const Hdf5Shape& shape, const snapshot::Element& element, const std::string& name) {
+  const auto width = static_cast<std::uint64_t>(element.width);
+  const bool fits = width == 1 ? shape.size() == 2 : shape.size() == 3 && shape[2] == width;
+  if (!fits)
+    throw bad_input({name}, fmt::format("{} has another shape", snapshot::value_path(element)),
+                    width == 1 ? "frames x discs" : fmt::format("frames x discs x {}", width),
+                    fmt::format("{}", fmt::join(shape, " x ")));
+}
+
+void check_steps_of_contacts(const Hdf5File& file, const std::vector<std::int64_t>& steps,
+                             const std::string& name) {
+  if (!file.has(snapshot::contacts + "step")) return;
+  const std::vector<std::int64_t> of_contacts = all_of(file, snapshot::contacts + "step");
+  const auto [step, other] =
+      std::mismatch(steps.begin(), steps.end(), of_contacts.begin(), of_contacts.end());
+  if (step == steps.end()) return;
+  throw bad_input({name}, "contacts are not of the steps of the discs", fmt::format("step {}", *step),
+                  other == of_contacts.end() ? "none" : fmt::format("{}", *other));
+}
+
+// In s, of each step; empty where the file has none.
+std::vector<double> times_of(const Hdf5File& file, std::size_t frames, const std::string& name) {
+  if (!file.has(times_path)) return {};
+  const Hdf5Dataset dataset = file.dataset(times_path);
+  check_unit(dataset, times_path, "s", name);
+  const Hdf5Shape shape = dataset.shape();
+  if (shape.size() != 1 || shape[0] < frames)
+    throw bad_input({name}, fmt::format("{} has another shape", times_path), fmt::format("{} times", frames),
+                    fmt::format("{}", fmt::join(shape, " x ")));
+  std::vector<double> times(frames);
+  dataset.read<double>({{0}, {frames}}, times);
+  return times;
+}
+
+}  // namespace
+
+SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& name) {
+  if (!file.has("/h5md") || !file.has(steps_path) || !file.has("/particles/discs/id/value"))
+    throw bad_input({name}, "no snapshots in the file",
+                    "/h5md and /particles/discs as mikromakro writes them", "neither");
+  SnapshotSummary summary;
+  summary.steps = all_of(file, steps_path);
+  while (!summary.steps.empty() && summary.steps.back() == snapshot::no_id) summary.steps.pop_back();
+  summary.times = times_of(file, summary.steps.size(), name);
+  for (const auto& element : snapshot::elements) {
+    const std::string path = snapshot::value_path(element);
+    Hdf5Dataset& dataset = summary.elements.emplace_back();
+    if (!file.has(path)) continue;
+    dataset = file.dataset(path);
+    check_shape(dataset.shape(), element, name);
+    check_unit(dataset, path, element.unit, name);
+    summary.particles_given |= element.columns();
+  }
+  const Hdf5Shape shape = summary.elements.front().shape();  // of the ids
+  if (shape.size() != 2 || shape[0] < summary.steps.size())
+    throw bad_input({name}, "the frames do not fit together",
+                    fmt::format("{} frames of ids", summary.steps.size()),
+                    fmt::format("{}", shape.empty() ? 0 : shape[0]));
+  if (shape[1] > most_rows)
+    throw bad_input({name}, "the number of particles is no number of discs", "less than 2^31",
+                    fmt::format("{}", shape[1]));
+  summary.most_particles = shape[1];
+  if (!file.has(snapshot::contacts + "offset")) return summary;
+  for (std::size_t slot = 0; slot < std::size(contact_column_names); ++slot) {
+    const std::string path = snapshot::contact_path(slot);
+    Hdf5Dataset& dataset = summary.columns.emplace_back();
+    if (!file.has(path)) continue;
+    dataset = file.dataset(path);
+    check_unit(dataset, path, snapshot::contact_units[slot], name);
+    summary.contacts_given |= ColumnSet{1} << slot;
+  }
+  check_steps_of_contacts(file, summary.steps, name);
+  summary.contact_offsets = all_of(file, snapshot::contacts + "offset");
+  auto& offsets = summary.contact_offsets;
+  offsets.resize(std::min(offsets.size(), summary.steps.size() + 1));
+  if (offsets.size() != summary.steps.size() + 1 || offsets.front() != 0 ||
+      !std::is_sorted(offsets.begin(), offsets.end()))
+    throw bad_input({name}, "contacts do not fit the frames", "offsets that ascend, one more than frames",
+                    "others");
+  const std::uint64_t rows = (summary.contacts_given & 1U) != 0 ? summary.columns.front().shape().front() : 0;
+  if (static_cast<std::uint64_t>(offsets.back()) > rows)
+    throw bad_input({name}, "contacts are missing", fmt::format("{} rows", offsets.back()),
+                    fmt::format("{}", rows));
+  return summary;
+}
+
+}  // namespace mikromakro
