@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/input_options.h"
 #include "app/memory_need.h"
+#include "app/plausible_options.h"
 #include "app/run_constants.h"
 #include "averaging/block_table.h"
 #include "io/error.h"
@@ -105,7 +106,11 @@ void write(const CommandOptions& options, const Task& task, const Averaged& aver
 void average(const CommandOptions& options, const Ranks& ranks) {
   Task task;
   ranks.agree([&] { task = task_of(options, ranks); });
-  const SumFrame sum = [&](const Frame& frame) { return task.averager->frame_sums(frame); };
+  const double stiffness = stiffness_of(task.options.fields);
+  const SumFrame sum = [&](const Frame& frame) {
+    note_stiffness(frame, stiffness, *task.source.notes);
+    return task.averager->frame_sums(frame);
+  };
   const Averaged averaged = average_frames(task.source, task.options.volumes, sum,
                                            no_sums(task.options, *task.averager), options.run, ranks);
   ranks.agree([&] {

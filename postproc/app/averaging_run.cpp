@@ -1,12 +1,11 @@
 #include "app/averaging_run.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <thread>
 
 #include "app/coverage.h"
+#include "app/plausible_options.h"
 #include "app/progress.h"
 #include "app/warnings.h"
 #include "averaging/repeated_frames.h"
@@ -23,17 +22,6 @@ void check_found(const FrameSource& source, const VolumeOptions& volumes, const 
   if (averaged.sums.frames() == 0) throw source.no_frame_selected();
   check_types(source, "--bulk-types", types);
   if ((averaged.sums.mean() == 0).all()) check_coverage(source, volumes);
-}
-
-// In mm, say.
-void note_height(const Frame& frame, const VolumeOptions& volumes, Notes& notes) {
-  constexpr double most = 100;  // radii
-  if (!(volumes.height > 0) || frame.particles.empty()) return;
-  const double radius = frame.particles.front().radius;
-  if (volumes.height > most * radius)
-    notes.add(fmt::format("--height {} is {:.3g} times the radius of a disc (it is in m)", volumes.height,
-                          volumes.height / radius),
-              frame.step);
 }
 
 }  // namespace
@@ -58,14 +46,9 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
   Averaged averaged{std::move(sums), {}};
   std::atomic<std::int64_t> bytes = 0;
   TypesSeen types(volumes.bulk_types);
-  const double width = kernel_width(volumes);
   const SumFrame look_and_sum = [&](const Frame& frame) {
     types.look(frame);
-    note_height(frame, volumes, *source.notes);
-    if (width > frame.box.length().maxCoeff())
-      source.notes->add(
-          fmt::format("--weight {}: the kernel is wider than the box (W is in m)", volumes.weight),
-          frame.step);
+    note_volumes(frame, volumes, *source.notes);
     return sum(frame);
   };
   const auto read_and_sum = [&](const TakeSums& take) {

@@ -313,8 +313,10 @@ class Joiner {
     const Vector2d tangent(-contact.normal.y(), contact.normal.x());
     const Vector2d right(-contact.force.dot(contact.normal), contact.force.dot(tangent));
     const Vector2d told(row.has(fn) ? row[fn] : right.x(), row.has(ft) ? row[ft] : right.y());
-    // Both are rounded, to six digits at least, and turned by what the normal is off.
-    const double allowed = contact.force.lpNorm<1>() * (six_digits + 2 * slack / disc(contact.index1).radius);
+    // Both are rounded, to six digits at least, and turned by what a normal is off that the row does not
+    // give.
+    const double turned = row.has(normal_columns) ? 0 : 2 * slack / disc(contact.index1).radius;
+    const double allowed = contact.force.lpNorm<1>() * (six_digits + turned);
     if ((told - right).lpNorm<Eigen::Infinity>() <= allowed) return;
     throw bad_input(rows_.place(row.index),
                     fmt::format("fn ft is not that of fx fy of {}", pair_name(contact)),

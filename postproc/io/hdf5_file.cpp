@@ -109,6 +109,19 @@ std::vector<std::string> fixed_texts(const Hdf5Id& attribute, const Hdf5Id& type
   return texts;
 }
 
+// See Hdf5File::known_attribute.
+Hdf5Id marked_text() {
+  Hdf5Id type = text_type(H5T_VARIABLE, H5T_CSET_UTF8);
+  H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
+  return type;
+}
+
+bool is_marked(const Hdf5Id& attribute) {
+  const Hdf5Id type(H5Aget_type(attribute.get()), H5Tclose);
+  return H5Tget_class(type.get()) == H5T_STRING && H5Tis_variable_str(type.get()) > 0 &&
+         H5Tget_strpad(type.get()) == H5T_STR_NULLPAD;
+}
+
 std::vector<std::string> texts_of(const Hdf5Id& attribute, const std::string& place) {
   const Hdf5Id space(H5Aget_space(attribute.get()), H5Sclose);
   const auto count = H5Sget_simple_extent_npoints(space.get());
@@ -137,6 +150,11 @@ Hdf5Id without_times(hid_t kind) {
 
 void leave_hdf5_open_at_exit() {
   H5dont_atexit();
+}
+
+bool Hdf5Dataset::is_known_attribute(const std::string& name) const {
+  if (H5Aexists(id_.get(), name.c_str()) <= 0) return false;
+  return is_marked(Hdf5Id(H5Aopen(id_.get(), name.c_str(), H5P_DEFAULT), H5Aclose));
 }
 
 std::optional<std::vector<std::string>> Hdf5Dataset::text_attribute(const std::string& name) const {
@@ -309,6 +327,18 @@ void Hdf5File::attribute(const std::string& path, const std::string& name, const
   const char* const text = value.c_str();
   const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose);
   add_attribute(path, name, space, text_type(H5T_VARIABLE, H5T_CSET_UTF8).get(), &text);
+}
+
+void Hdf5File::known_attribute(const std::string& path, const std::string& name, const std::string& value) {
+  const char* const text = value.c_str();
+  const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose);
+  add_attribute(path, name, space, marked_text().get(), &text);
+}
+
+bool Hdf5File::is_known_attribute(const std::string& path, const std::string& name) const {
+  return has_attribute(path, name) &&
+         is_marked(Hdf5Id(H5Aopen_by_name(id_.get(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+                          H5Aclose));
 }
 
 void Hdf5File::attribute(const std::string& path, const std::string& name,

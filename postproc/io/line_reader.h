@@ -27,6 +27,9 @@ class LineReader {
   /// At the end: whether the compressed data ended before their end. A line without end is left out then.
   bool cut() const { return ended_ && source_->cut(); }
 
+  /// Whether the end of the file has been met: nothing is left.
+  bool at_end() const { return ended_ && begin_ == end_; }
+
   /// Appends the next lines as they stand, ends included: `count` of them, fewer at the end of the file and
   /// before a line that starts with `stop`. Gives how many.
   std::int64_t take(std::int64_t count, std::string_view stop, std::string& text);

@@ -77,6 +77,7 @@ UnpackFrame MercuryFrames::take(bool) {
     check_same_run(frame, *blocks.back(), *wishes.notes);
     frame.contacts = mercury_contacts(*blocks.back(), frame.particles);
     frame.contacts.needed = wishes.contacts_needed;
+    frame.closely = frame.closely || blocks.back()->may_be_cut;
   };
 }
 

@@ -60,7 +60,9 @@ bool MercuryReader::next_frame(std::string_view& line, std::string_view kind) {
 
 std::optional<MercuryBlock> MercuryReader::take_rows(const MercuryHeader& header) {
   MercuryBlock block{file(), header, {}};
+  const bool counted = rows_ != to_the_next_header;
   if (!cut_rows(block.text)) return std::nullopt;
+  block.may_be_cut = !counted && lines_.at_end();
   return block;
 }
 

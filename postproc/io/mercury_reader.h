@@ -45,6 +45,7 @@ struct MercuryBlock {
   std::string file;
   MercuryHeader header;
   std::string text;
+  bool may_be_cut = false;  ///< rows up to the end of the file, where no header says how many there should be
 };
 
 /// What both kinds of files have in common: frames, headers of which the kinds read, and rows below them.

@@ -17,6 +17,9 @@ inline constexpr std::int64_t no_id = -1;
 /// Beside H5MD's words in the attribute `boundary`: 1 or 0 per axis. HDF5 puts words of any length where no
 /// sum protects them, and may go round for ever where that is damaged; so no average needs them.
 inline const std::string box = "/particles/discs/box";
+inline std::string corner_path(const std::string& name) {
+  return box + "/" + name + "/value";
+}  // low, edges
 inline const std::string periodic = "periodic";
 
 /// One of the quantities of a disc and the columns that it holds, one or two numbers per disc.

@@ -13,6 +13,12 @@
 namespace mikromakro {
 namespace {
 
+// What averages know without reading it, see Hdf5File::known_attribute. Hertz' kn is in N/m^2.
+const std::string known_units = "si";
+std::string_view known_unit(std::string_view name) {
+  return name == "kn" ? "N/m" : name == "height" ? "m" : "";
+}
+
 std::string path_of(const SnapshotParameters::Numbers& numbers) {
   return snapshot::parameters + "/" + numbers.name;
 }
@@ -34,6 +40,7 @@ void check(const std::string& file, const std::string& name, const std::string& 
 // Empty: without one, or none there.
 std::string unit_of(const Hdf5File& file, const std::string& name) {
   const std::string path = snapshot::parameters + "/" + name;
+  if (file.has(path) && file.is_known_attribute(path, "unit")) return std::string(known_unit(name));
   if (!file.has(path) || !file.has_attribute(path, "unit")) return "";
   return fmt::format("{}", fmt::join(file.text_attribute(path, "unit"), " "));
 }
@@ -55,16 +62,16 @@ Error wrong_constant(const std::string& file, const std::string& name, std::stri
   return bad_input({file}, fmt::format("{}/{}", snapshot::parameters, name), expected, got);
 }
 
-void check_unit(const Hdf5File& file, const std::string& name, std::string_view expected,
-                const std::string& place) {
+void check_unit(const Hdf5File& file, const std::string& name, const std::string& place) {
   const std::string unit = unit_of(file, name);
-  if (unit != expected) throw wrong_constant(place, name, fmt::format("in {}", expected), in_quotes(unit));
+  if (unit != known_unit(name))
+    throw wrong_constant(place, name, fmt::format("in {}", known_unit(name)), in_quotes(unit));
 }
 
 double height_in(const Hdf5File& file, const std::string& place) {
   const std::vector<double> heights = numbers_in(file, "height");
   if (heights.empty()) return 0;
-  check_unit(file, "height", "m", place);
+  check_unit(file, "height", place);
   if (heights.size() != 1 || !(heights[0] > 0) || !std::isfinite(heights[0]))
     throw wrong_constant(place, "height", "one length above 0", text_of(heights));
   return heights[0];
@@ -75,7 +82,9 @@ double height_in(const Hdf5File& file, const std::string& place) {
 RunConstants read_constants(const Hdf5File& file, const std::string& name) {
   RunConstants constants;
   if (!file.has(snapshot::parameters)) return constants;
-  if (file.has_attribute(snapshot::parameters, "units"))
+  if (file.is_known_attribute(snapshot::parameters, "units"))
+    constants.units = known_units;
+  else if (file.has_attribute(snapshot::parameters, "units"))
     constants.units = file.text_attribute(snapshot::parameters, "units").front();
   constants.height = height_in(file, name);
   constants.friction = numbers_in(file, "coefficientFriction");
@@ -84,19 +93,26 @@ RunConstants read_constants(const Hdf5File& file, const std::string& name) {
   if (constants.hertz)
     constants.normal_stiffness.clear();
   else if (!constants.normal_stiffness.empty())
-    check_unit(file, "kn", "N/m", name);
+    check_unit(file, "kn", name);
   return constants;
 }
 
 void write_parameters(Hdf5File& file, const SnapshotParameters& parameters) {
   file.add_group(snapshot::parameters);
   if (!parameters.engine.empty()) file.attribute("/h5md/creator", "engine", parameters.engine);
-  for (const auto& [name, words] : parameters.words)
-    words.size() == 1 ? file.attribute(snapshot::parameters, name, words.front())
-                      : file.attribute(snapshot::parameters, name, words);
+  for (const auto& [name, words] : parameters.words) {
+    if (name == "units" && words == std::vector{known_units})
+      file.known_attribute(snapshot::parameters, name, known_units);
+    else if (words.size() == 1)
+      file.attribute(snapshot::parameters, name, words.front());
+    else
+      file.attribute(snapshot::parameters, name, words);
+  }
   for (const auto& numbers : parameters.numbers) {
     file.add<double>(path_of(numbers), numbers.values, numbers.shape);
-    if (!numbers.unit.empty()) file.attribute(path_of(numbers), "unit", numbers.unit);
+    if (numbers.unit.empty()) continue;
+    numbers.unit == known_unit(numbers.name) ? file.known_attribute(path_of(numbers), "unit", numbers.unit)
+                                             : file.attribute(path_of(numbers), "unit", numbers.unit);
   }
 }
 

@@ -98,8 +98,7 @@ struct Boxes {
   static std::vector<double> all_corners(const Hdf5File& file, const std::string& name,
                                          const SnapshotSummary& summary) {
     std::vector<double> numbers(2 * summary.steps.size());
-    file.dataset("/particles/discs/box/" + name + "/value")
-        .read<double>({{0, 0}, {summary.steps.size(), 2}}, numbers);
+    file.dataset(snapshot::corner_path(name)).read<double>({{0, 0}, {summary.steps.size(), 2}}, numbers);
     check_finite(numbers, [&](std::size_t) { return Place{name}; });
     return numbers;
   }

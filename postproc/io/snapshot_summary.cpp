@@ -26,7 +26,7 @@ std::vector<std::int64_t> all_of(const Hdf5File& file, const std::string& path) 
 // Files of other programs may have other units; a file of ours says its own. None: SI.
 void check_unit(const Hdf5Dataset& dataset, const std::string& path, std::string_view unit,
                 const std::string& name) {
-  if (unit.empty()) return;
+  if (unit.empty() || dataset.is_known_attribute("unit")) return;
   const auto there = dataset.text_attribute("unit");
   if (there && (there->size() != 1 || there->front() != unit))
     throw bad_input({name}, fmt::format("{} has another unit", path), in_quotes(unit),
@@ -87,6 +87,8 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
     check_unit(dataset, path, element.unit, name);
     summary.particles_given |= element.columns();
   }
+  for (const std::string corner : {"low", "edges"})
+    check_unit(file.dataset(snapshot::corner_path(corner)), snapshot::corner_path(corner), "m", name);
   const Hdf5Shape shape = summary.elements.front().shape();  // of the ids
   if (shape.size() != 2 || shape[0] < summary.steps.size())
     throw bad_input({name}, "the frames do not fit together",

@@ -47,11 +47,11 @@ void check_use(const FieldChoice& choice) {
                     names.empty() ? "the default fields" : fmt::format("{}", fmt::join(names, ",")));
 }
 
+}  // namespace
+
 double stiffness_of(const FieldChoice& choice) {
   return choice.numbers.normal_stiffness > 0 ? choice.numbers.normal_stiffness : choice.stiffness_of_run;
 }
-
-}  // namespace
 
 FieldList fields_of(const FieldChoice& choice, const VolumeOptions& volumes) {
   check_use(choice);

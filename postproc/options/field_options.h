@@ -17,6 +17,9 @@ struct FieldChoice {
   double stiffness_of_run = 0;  ///< k_n as the files have it, for where no option gives it
 };
 
+/// k_n of the option, else of the run (N/m); 0: not known.
+double stiffness_of(const FieldChoice& choice);
+
 void add_field_options(CLI::App& app, FieldChoice& choice);
 
 /// Throws on unknown names, and on fields that need an option that is not given.
