@@ -14,8 +14,9 @@ namespace mikromakro {
 /// more in another format, with fewer digits, or a part of its frames. Keeps three numbers per sum and frame.
 class RepeatedFrames {
  public:
-  /// Whether a frame of an earlier run is this one: the same step, and all sums to 1e-4. Frames of a run in
-  /// which nothing moves are never the same, since those of another run may be like them.
+  /// Whether a frame of an earlier run is this one: the same step, and all sums to 1e-4. Never
+  /// those with fewer than four sums that are not 0, nor those of a run in which nothing moves, since those
+  /// of another run may be like them.
   bool add(const FrameSums& frame);
 
  private:

@@ -96,6 +96,7 @@ void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   const bool without = raw.with_contacts && frame.contacts.empty();
   if ((raw.closely || without) && rules.notes != nullptr) note_overlaps(raw, frame.contacts, rules);
   note_forces(frame.contacts, rules);
+  if (raw.with_contacts) note_derived_overlaps(raw, frame.contacts, rules);
   // The rows are read anew for the next frame.
   frame.particles.swap(raw.particles);
   convert(raw.units, raw, frame);

@@ -109,7 +109,9 @@ std::vector<std::string> fixed_texts(const Hdf5Id& attribute, const Hdf5Id& type
   return texts;
 }
 
-// See Hdf5File::known_attribute.
+// See Hdf5File::guarded_attribute.
+const std::string guarded = "_guarded";
+
 Hdf5Id marked_text() {
   Hdf5Id type = text_type(H5T_VARIABLE, H5T_CSET_UTF8);
   H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
@@ -152,14 +154,11 @@ void leave_hdf5_open_at_exit() {
   H5dont_atexit();
 }
 
-bool Hdf5Dataset::is_known_attribute(const std::string& name) const {
-  if (H5Aexists(id_.get(), name.c_str()) <= 0) return false;
-  return is_marked(Hdf5Id(H5Aopen(id_.get(), name.c_str(), H5P_DEFAULT), H5Aclose));
-}
-
 std::optional<std::vector<std::string>> Hdf5Dataset::text_attribute(const std::string& name) const {
   if (H5Aexists(id_.get(), name.c_str()) <= 0) return {};
   const Hdf5Id id(H5Aopen(id_.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
+  if (is_marked(id) && H5Aexists(id_.get(), (name + guarded).c_str()) > 0)
+    return text_attribute(name + guarded);
   return texts_of(id, fmt::format("{}@{}", place_, name));
 }
 
@@ -329,16 +328,11 @@ void Hdf5File::attribute(const std::string& path, const std::string& name, const
   add_attribute(path, name, space, text_type(H5T_VARIABLE, H5T_CSET_UTF8).get(), &text);
 }
 
-void Hdf5File::known_attribute(const std::string& path, const std::string& name, const std::string& value) {
+void Hdf5File::guarded_attribute(const std::string& path, const std::string& name, const std::string& value) {
   const char* const text = value.c_str();
   const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose);
   add_attribute(path, name, space, marked_text().get(), &text);
-}
-
-bool Hdf5File::is_known_attribute(const std::string& path, const std::string& name) const {
-  return has_attribute(path, name) &&
-         is_marked(Hdf5Id(H5Aopen_by_name(id_.get(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-                          H5Aclose));
+  short_attribute(path, name + guarded, value);
 }
 
 void Hdf5File::attribute(const std::string& path, const std::string& name,
@@ -380,7 +374,24 @@ std::vector<std::int64_t> Hdf5File::number_attribute(const std::string& path, co
 
 std::vector<std::string> Hdf5File::text_attribute(const std::string& path, const std::string& name) const {
   const Hdf5Id id(H5Aopen_by_name(id_.get(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  if (is_marked(id) && has_attribute(path, name + guarded)) return text_attribute(path, name + guarded);
   return texts_of(id, fmt::format("{}:{}@{}", file_, path, name));
+}
+
+bool Hdf5File::are_one(const std::string& path, const std::string& other) const {
+#if H5_VERSION_GE(1, 12, 0)
+  H5O_info2_t one{}, two{};
+  int difference = 0;
+  return H5Oget_info_by_name3(id_.get(), path.c_str(), &one, H5O_INFO_BASIC, H5P_DEFAULT) >= 0 &&
+         H5Oget_info_by_name3(id_.get(), other.c_str(), &two, H5O_INFO_BASIC, H5P_DEFAULT) >= 0 &&
+         one.fileno == two.fileno && H5Otoken_cmp(id_.get(), &one.token, &two.token, &difference) >= 0 &&
+         difference == 0;
+#else
+  H5O_info_t one{}, two{};
+  return H5Oget_info_by_name2(id_.get(), path.c_str(), &one, H5O_INFO_BASIC, H5P_DEFAULT) >= 0 &&
+         H5Oget_info_by_name2(id_.get(), other.c_str(), &two, H5O_INFO_BASIC, H5P_DEFAULT) >= 0 &&
+         one.fileno == two.fileno && one.addr == two.addr;
+#endif
 }
 
 void Hdf5File::flush() {

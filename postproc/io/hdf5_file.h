@@ -69,8 +69,6 @@ class Hdf5Dataset {
   std::int64_t id() const { return id_.get(); }
   /// Nothing where there is no attribute of this name.
   std::optional<std::vector<std::string>> text_attribute(const std::string& name) const;
-  /// See Hdf5File::known_attribute.
-  bool is_known_attribute(const std::string& name) const;
   void grow(const Hdf5Shape& shape);
   /// Grows where it is shorter than `shape`, along each dimension; gives its new lengths.
   Hdf5Shape reach(const Hdf5Shape& shape);
@@ -138,16 +136,17 @@ class Hdf5File {
   void attribute(const std::string& path, const std::string& name, const std::vector<std::string>& values);
   void attribute(const std::string& path, const std::string& name, std::span<const std::int64_t> numbers);
   void attribute(const std::string& path, const std::string& name, std::int64_t number);
-  /// A word that readers know beforehand, such as the unit of a layout. Most programs want words of any
-  /// length, but HDF5 keeps these where no sum protects them, and crashes or hangs where they are damaged. So
-  /// it carries a mark, zeros as the padding that such words never have: who finds it need not read the word.
-  /// Who replaces the word takes the mark away.
-  void known_attribute(const std::string& path, const std::string& name, const std::string& value);
-  bool is_known_attribute(const std::string& path, const std::string& name) const;
+  /// A word that averages read. Most programs want words of any length, but HDF5 keeps these where no sum
+  /// protects them, and crashes or hangs where they are damaged. So the word is there twice: marked (zeros as
+  /// the padding, which words of any length never have), and as NAME_guarded, of fixed length, which
+  /// text_attribute() reads in place of a marked one. Who replaces the word takes the mark away.
+  void guarded_attribute(const std::string& path, const std::string& name, const std::string& value);
   bool has_attribute(const std::string& path, const std::string& name) const;
   /// Fixed-length ASCII, as VTK wants it.
   void short_attribute(const std::string& path, const std::string& name, const std::string& value);
   std::vector<std::string> text_attribute(const std::string& path, const std::string& name) const;
+  /// Whether two paths lead to one object.
+  bool are_one(const std::string& path, const std::string& other) const;
   std::vector<std::int64_t> number_attribute(const std::string& path, const std::string& name) const;
 
   /// Hands everything over to the operating system, metadata after the numbers that they point to.

@@ -36,6 +36,7 @@ struct FstatRow {
   std::int64_t i, j;
   double overlap, spring, normal_force, tangential_force;
   Eigen::Vector2d point, normal, tangent;
+  double z;
 };
 
 enum FstatSlot {
@@ -43,6 +44,7 @@ enum FstatSlot {
   j_at,
   x_at,
   y_at,
+  z_at,
   overlap_at,
   spring_at,
   fn_at,
@@ -56,7 +58,7 @@ enum FstatSlot {
 };
 
 FstatRow fstat_row(std::string_view line, const Place& place) {
-  static const ColumnMap map{{-1, i_at, j_at, x_at, y_at, -1, overlap_at, spring_at, fn_at, ft_at, nx_at,
+  static const ColumnMap map{{-1, i_at, j_at, x_at, y_at, z_at, overlap_at, spring_at, fn_at, ft_at, nx_at,
                               ny_at, nz_at, tx_at, ty_at, -1},
                              0};
   std::array<double, fstat_slots> slots{};
@@ -71,7 +73,8 @@ FstatRow fstat_row(std::string_view line, const Place& place) {
           slots[ft_at],
           {slots[x_at], slots[y_at]},
           {slots[nx_at], slots[ny_at]},
-          {slots[tx_at], slots[ty_at]}};
+          {slots[tx_at], slots[ty_at]},
+          slots[z_at]};
 }
 
 bool is_species(double number) {
@@ -85,13 +88,16 @@ void check_index(std::int64_t index, const std::vector<Particle>& particles, con
                   fmt::format("{}", index));
 }
 
-// The contact point of a wall lies in the overlap, on the normal through the disc's centre.
-void check_wall_point(const FstatRow& row, const Particle& disc, const Place& place) {
+// The contact point lies in the overlap, on the normal (ours, outwards) through the disc's centre.
+void check_point(const FstatRow& row, const Eigen::Vector2d& normal, const Particle& disc,
+                 const Place& place) {
   constexpr double digits = 1e-4;  // of the radius, since the files keep six digits of the coordinates
-  const Eigen::Vector2d right = disc.position + (disc.radius - row.overlap / 2) * row.normal;
+  const Eigen::Vector2d right = disc.position + (disc.radius - row.overlap / 2) * normal;
   const double allowed = std::abs(row.overlap) / 2 + digits * (disc.radius + disc.position.norm());
   if ((row.point - right).norm() <= allowed) return;
-  throw bad_input(place, "the contact point is not where the wall touches the disc",
+  throw bad_input(place,
+                  fmt::format("the contact point is not where {} touches the disc",
+                              row.j < 0 ? "the wall" : "the other one"),
                   fmt::format("{:.9g} {:.9g} within {:.2g} m", right.x(), right.y(), allowed),
                   fmt::format("{:.9g} {:.9g}", row.point.x(), row.point.y()));
 }
@@ -122,7 +128,7 @@ ContactRow contact_of(const FstatRow& row, const std::vector<Particle>& particle
     if (normal.dot(of_j - of_i) <= 0)
       throw bad_input(place, "the normal points the wrong way", "n from j to i", "the other way");
   }
-  if (wall) check_wall_point(row, particles[static_cast<std::size_t>(row.i)], place);
+  check_point(row, normal, particles[static_cast<std::size_t>(row.i)], place);
   const double along = -normal.y() * force.x() + normal.x() * force.y();
   ContactRow contact{};
   contact.value.fill(not_given);
@@ -206,11 +212,13 @@ ContactRows mercury_contacts(const MercuryBlock& block, const std::vector<Partic
   contacts.file = block.file;
   Place place{block.file, block.header.line};
   std::map<std::pair<std::int64_t, std::int64_t>, Seen> seen;
+  PlaneCheck plane;
   for (std::string_view rest = block.text; !rest.empty();) {
     ++place.line;
     const FstatRow row = fstat_row(next_line(rest), place);
     if (is_mirrored(row, seen, place)) continue;
     contacts.rows.push_back(contact_of(row, particles, place));
+    plane.add(row.z, particles[static_cast<std::size_t>(row.i)].radius, place);
     contacts.lines.push_back(place.line);
   }
   return contacts;

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 namespace mikromakro {
@@ -11,6 +12,8 @@ namespace mikromakro {
 void PrintedDigits::add(double number) {
   if (number == 0 || !std::isfinite(number)) return;
   ++count_;
+  floats_ = floats_ && std::abs(number) <= std::numeric_limits<float>::max() &&
+            static_cast<double>(static_cast<float>(number)) == number;
   // Who prints as many keeps what a calculation has.
   constexpr int all_that_matter = 15;
   if (digits_ >= all_that_matter) return;
@@ -24,7 +27,9 @@ void PrintedDigits::add(double number) {
 
 double PrintedDigits::rounding(double size) const {
   if (size == 0) return 0;
-  const int digits = count_ < enough ? std::max(digits_, least) : digits_;
+  constexpr int of_a_float = 7;
+  const int told = floats_ ? std::min(digits_, of_a_float) : digits_;
+  const int digits = count_ < enough ? std::max(told, least) : told;
   return 0.5 * std::pow(10.0, std::floor(std::log10(std::abs(size))) + 1 - digits);
 }
 

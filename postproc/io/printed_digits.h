@@ -6,7 +6,7 @@ namespace mikromakro {
 
 /// The digits that a column was printed with, seen in some of its numbers: the most that one of them has. Few
 /// numbers may all end in zeros by chance, or be written by hand: then at least the six digits that the
-/// engines' %g keeps.
+/// engines' %g keeps. Numbers of 32 bits, in whatever they were stored since, have seven.
 class PrintedDigits {
  public:
   /// How many numbers are enough.
@@ -21,6 +21,7 @@ class PrintedDigits {
 
   int count_ = 0;
   int digits_ = 1;
+  bool floats_ = true;  ///< all of them have 32 bits
 };
 
 }  // namespace mikromakro

@@ -66,6 +66,7 @@ std::int64_t SnapshotLog::resume(const RawFrame& present) {
       static_cast<std::uint64_t>(std::upper_bound(steps.begin(), steps.end(), present.step) - steps.begin());
   if (!steps.empty()) check_discs(frame_of(file_, frames_ > 0 ? frames_ - 1 : 0), present, file_);
   SnapshotWriter writer(Hdf5File::open_to_append(file_, true), file_);
+  writer.check_same(present);  // before frames are dropped
   writer.keep(frames_);
   writer.close();
   begun_ = true;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -12,12 +13,6 @@
 
 namespace mikromakro {
 namespace {
-
-// What averages know without reading it, see Hdf5File::known_attribute. Hertz' kn is in N/m^2.
-const std::string known_units = "si";
-std::string_view known_unit(std::string_view name) {
-  return name == "kn" ? "N/m" : name == "height" ? "m" : "";
-}
 
 std::string path_of(const SnapshotParameters::Numbers& numbers) {
   return snapshot::parameters + "/" + numbers.name;
@@ -40,7 +35,6 @@ void check(const std::string& file, const std::string& name, const std::string& 
 // Empty: without one, or none there.
 std::string unit_of(const Hdf5File& file, const std::string& name) {
   const std::string path = snapshot::parameters + "/" + name;
-  if (file.has(path) && file.is_known_attribute(path, "unit")) return std::string(known_unit(name));
   if (!file.has(path) || !file.has_attribute(path, "unit")) return "";
   return fmt::format("{}", fmt::join(file.text_attribute(path, "unit"), " "));
 }
@@ -62,19 +56,31 @@ Error wrong_constant(const std::string& file, const std::string& name, std::stri
   return bad_input({file}, fmt::format("{}/{}", snapshot::parameters, name), expected, got);
 }
 
-void check_unit(const Hdf5File& file, const std::string& name, const std::string& place) {
+void check_unit(const Hdf5File& file, const std::string& name, std::string_view expected,
+                const std::string& place) {
   const std::string unit = unit_of(file, name);
-  if (unit != known_unit(name))
-    throw wrong_constant(place, name, fmt::format("in {}", known_unit(name)), in_quotes(unit));
+  if (unit != expected) throw wrong_constant(place, name, fmt::format("in {}", expected), in_quotes(unit));
 }
 
 double height_in(const Hdf5File& file, const std::string& place) {
   const std::vector<double> heights = numbers_in(file, "height");
   if (heights.empty()) return 0;
-  check_unit(file, "height", place);
+  check_unit(file, "height", "m", place);
   if (heights.size() != 1 || !(heights[0] > 0) || !std::isfinite(heights[0]))
     throw wrong_constant(place, "height", "one length above 0", text_of(heights));
   return heights[0];
+}
+
+// Of each pair of types; none where there are none.
+std::vector<double> table_in(const Hdf5File& file, const std::string& name, const std::string& place) {
+  std::vector<double> numbers = numbers_in(file, name);
+  if (numbers.empty()) return numbers;
+  const Hdf5Shape shape = file.dataset(snapshot::parameters + "/" + name).shape();
+  if (shape.size() != 2 || shape[0] != shape[1])
+    throw wrong_constant(place, name, "a table of types x types", fmt::format("{}", fmt::join(shape, " x ")));
+  if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x) && x >= 0; }))
+    throw wrong_constant(place, name, "numbers of 0 or more", text_of(numbers));
+  return numbers;
 }
 
 }  // namespace
@@ -82,18 +88,16 @@ double height_in(const Hdf5File& file, const std::string& place) {
 RunConstants read_constants(const Hdf5File& file, const std::string& name) {
   RunConstants constants;
   if (!file.has(snapshot::parameters)) return constants;
-  if (file.is_known_attribute(snapshot::parameters, "units"))
-    constants.units = known_units;
-  else if (file.has_attribute(snapshot::parameters, "units"))
+  if (file.has_attribute(snapshot::parameters, "units"))
     constants.units = file.text_attribute(snapshot::parameters, "units").front();
   constants.height = height_in(file, name);
-  constants.friction = numbers_in(file, "coefficientFriction");
-  constants.normal_stiffness = numbers_in(file, "kn");
+  constants.friction = table_in(file, "coefficientFriction", name);
+  constants.normal_stiffness = table_in(file, "kn", name);
   constants.hertz = unit_of(file, "kn") == "N/m^2";
   if (constants.hertz)
     constants.normal_stiffness.clear();
   else if (!constants.normal_stiffness.empty())
-    check_unit(file, "kn", name);
+    check_unit(file, "kn", "N/m", name);
   return constants;
 }
 
@@ -101,8 +105,8 @@ void write_parameters(Hdf5File& file, const SnapshotParameters& parameters) {
   file.add_group(snapshot::parameters);
   if (!parameters.engine.empty()) file.attribute("/h5md/creator", "engine", parameters.engine);
   for (const auto& [name, words] : parameters.words) {
-    if (name == "units" && words == std::vector{known_units})
-      file.known_attribute(snapshot::parameters, name, known_units);
+    if (name == "units" && words.size() == 1)  // which averages read
+      file.guarded_attribute(snapshot::parameters, name, words.front());
     else if (words.size() == 1)
       file.attribute(snapshot::parameters, name, words.front());
     else
@@ -110,9 +114,7 @@ void write_parameters(Hdf5File& file, const SnapshotParameters& parameters) {
   }
   for (const auto& numbers : parameters.numbers) {
     file.add<double>(path_of(numbers), numbers.values, numbers.shape);
-    if (numbers.unit.empty()) continue;
-    numbers.unit == known_unit(numbers.name) ? file.known_attribute(path_of(numbers), "unit", numbers.unit)
-                                             : file.attribute(path_of(numbers), "unit", numbers.unit);
+    if (!numbers.unit.empty()) file.guarded_attribute(path_of(numbers), "unit", numbers.unit);
   }
 }
 

@@ -95,11 +95,12 @@ struct Boxes {
     return {corner, corner + Eigen::Vector2d(edges[2 * frame], edges[2 * frame + 1]), periodic};
   }
 
-  static std::vector<double> all_corners(const Hdf5File& file, const std::string& name,
+  static std::vector<double> all_corners(const Hdf5File& file, const std::string& corner,
                                          const SnapshotSummary& summary) {
     std::vector<double> numbers(2 * summary.steps.size());
-    file.dataset(snapshot::corner_path(name)).read<double>({{0, 0}, {summary.steps.size(), 2}}, numbers);
-    check_finite(numbers, [&](std::size_t) { return Place{name}; });
+    const Hdf5Dataset dataset = file.dataset(snapshot::corner_path(corner));
+    dataset.read<double>({{0, 0}, {summary.steps.size(), 2}}, numbers);
+    check_finite(numbers, [&](std::size_t) { return Place{dataset.place()}; });
     return numbers;
   }
 
@@ -238,6 +239,10 @@ void SnapshotReader::Packed::unpack_particles(RawFrame& frame) const {
   elements.front().unpack(0, ids);
   const auto count =
       static_cast<std::size_t>(std::find(ids.begin(), ids.end(), snapshot::no_id) - ids.begin());
+  if (std::any_of(ids.begin() + static_cast<std::ptrdiff_t>(count), ids.end(),
+                  [](std::int64_t id) { return id != snapshot::no_id; }))
+    throw bad_input({place}, fmt::format("place {} has no disc, but places behind it have some", count + 1),
+                    "all discs in front of the places without one", fmt::format("id {}", snapshot::no_id));
   std::vector<Stripe> stripes;
   for (std::size_t i = 0; i < std::size(snapshot::elements); ++i) {
     const auto& element = snapshot::elements[i];

@@ -18,7 +18,10 @@ const std::string times_path = "/particles/discs/position/time";
 std::vector<std::int64_t> all_of(const Hdf5File& file, const std::string& path) {
   const Hdf5Dataset dataset = file.dataset(path);
   const Hdf5Shape shape = dataset.shape();
-  std::vector<std::int64_t> numbers(shape.size() == 1 ? shape[0] : 0);
+  if (shape.size() != 1)
+    throw bad_input({dataset.place()}, "has another shape", "a number for each frame",
+                    shape.empty() ? "one number" : fmt::format("{}", fmt::join(shape, " x ")));
+  std::vector<std::int64_t> numbers(shape[0]);
   dataset.read<std::int64_t>({{0}, {numbers.size()}}, numbers);
   return numbers;
 }
@@ -26,7 +29,7 @@ std::vector<std::int64_t> all_of(const Hdf5File& file, const std::string& path) 
 // Files of other programs may have other units; a file of ours says its own. None: SI.
 void check_unit(const Hdf5Dataset& dataset, const std::string& path, std::string_view unit,
                 const std::string& name) {
-  if (unit.empty() || dataset.is_known_attribute("unit")) return;
+  if (unit.empty()) return;
   const auto there = dataset.text_attribute("unit");
   if (there && (there->size() != 1 || there->front() != unit))
     throw bad_input({name}, fmt::format("{} has another unit", path), in_quotes(unit),
@@ -43,15 +46,15 @@ void check_shape(const Hdf5Shape& shape, const snapshot::Element& element, const
                     fmt::format("{}", fmt::join(shape, " x ")));
 }
 
-void check_steps_of_contacts(const Hdf5File& file, const std::vector<std::int64_t>& steps,
-                             const std::string& name) {
-  if (!file.has(snapshot::contacts + "step")) return;
-  const std::vector<std::int64_t> of_contacts = all_of(file, snapshot::contacts + "step");
-  const auto [step, other] =
-      std::mismatch(steps.begin(), steps.end(), of_contacts.begin(), of_contacts.end());
+// Ours are one object with those of the positions; pieces of another run may have been put beside them.
+void check_steps(const Hdf5File& file, const std::string& path, const std::vector<std::int64_t>& steps,
+                 std::string_view what, const std::string& name) {
+  if (path == steps_path || !file.has(path) || file.are_one(path, steps_path)) return;
+  const std::vector<std::int64_t> others = all_of(file, path);
+  const auto [step, other] = std::mismatch(steps.begin(), steps.end(), others.begin(), others.end());
   if (step == steps.end()) return;
-  throw bad_input({name}, "contacts are not of the steps of the discs", fmt::format("step {}", *step),
-                  other == of_contacts.end() ? "none" : fmt::format("{}", *other));
+  throw bad_input({name}, fmt::format("{} not of the steps of the discs", what),
+                  fmt::format("step {}", *step), other == others.end() ? "none" : fmt::format("{}", *other));
 }
 
 // In s, of each step; empty where the file has none.
@@ -85,10 +88,14 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
     dataset = file.dataset(path);
     check_shape(dataset.shape(), element, name);
     check_unit(dataset, path, element.unit, name);
+    check_steps(file, snapshot::discs + std::string(element.name) + "/step", summary.steps,
+                fmt::format("{} is", element.name), name);
     summary.particles_given |= element.columns();
   }
-  for (const std::string corner : {"low", "edges"})
+  for (const std::string corner : {"low", "edges"}) {
     check_unit(file.dataset(snapshot::corner_path(corner)), snapshot::corner_path(corner), "m", name);
+    check_steps(file, snapshot::box + "/" + corner + "/step", summary.steps, "the box is", name);
+  }
   const Hdf5Shape shape = summary.elements.front().shape();  // of the ids
   if (shape.size() != 2 || shape[0] < summary.steps.size())
     throw bad_input({name}, "the frames do not fit together",
@@ -107,7 +114,7 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
     check_unit(dataset, path, snapshot::contact_units[slot], name);
     summary.contacts_given |= ColumnSet{1} << slot;
   }
-  check_steps_of_contacts(file, summary.steps, name);
+  check_steps(file, snapshot::contacts + "step", summary.steps, "contacts are", name);
   summary.contact_offsets = all_of(file, snapshot::contacts + "offset");
   auto& offsets = summary.contact_offsets;
   offsets.resize(std::min(offsets.size(), summary.steps.size() + 1));

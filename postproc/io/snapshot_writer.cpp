@@ -117,7 +117,7 @@ void SnapshotWriter::begin(const RawFrame& frame, std::size_t particles) {
       file_.add_growing(step_path, Hdf5Type::integer, {steps_per_chunk}, snapshot::no_id, checked);
   if (with_time_) {
     datasets_[time_path] = file_.add_growing(time_path, Hdf5Type::real, {steps_per_chunk}, 0, checked);
-    file_.known_attribute(time_path, "unit", "s");
+    file_.guarded_attribute(time_path, "unit", "s");
   }
   particles_given_ = storable(frame.particles_given);
   const std::uint64_t chunk = std::max<std::uint64_t>(particles, 1);
@@ -145,7 +145,7 @@ void SnapshotWriter::begin_element(const std::string& path, Hdf5Type type, const
   // A chunk of more than one frame, see Use.
   const bool checked = use_ == Use::finished || chunk.front() == 1;
   datasets_[value] = file_.add_growing(value, type, chunk, snapshot::no_id, checked);
-  if (!unit.empty()) file_.known_attribute(value, "unit", std::string(unit));
+  if (!unit.empty()) file_.guarded_attribute(value, "unit", std::string(unit));
   if (path + "/step" == step_path) return;
   file_.link(step_path, path + "/step");
   if (with_time_) file_.link(time_path, path + "/time");
@@ -168,7 +168,7 @@ void SnapshotWriter::begin_contacts(const RawFrame& frame, std::size_t particles
     datasets_[path] = file_.add_growing(path, snapshot::whole(column) ? Hdf5Type::integer : Hdf5Type::real,
                                         {chunk}, 0, checked);
     if (!snapshot::contact_units[slot].empty())
-      file_.known_attribute(path, "unit", std::string(snapshot::contact_units[slot]));
+      file_.guarded_attribute(path, "unit", std::string(snapshot::contact_units[slot]));
   }
   file_.link(step_path, snapshot::contacts + "step");
   if (with_time_) file_.link(time_path, snapshot::contacts + "time");

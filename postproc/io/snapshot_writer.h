@@ -29,6 +29,8 @@ class SnapshotWriter {
   SnapshotWriter(Hdf5File file, const std::string& name);
 
   std::uint64_t frames() const { return frames_; }
+  /// Throws where `frame` has other columns or boundaries than those that are there.
+  void check_same(const RawFrame& frame) const;
   /// Drops all frames but the first ones of a file that was continued.
   void keep(std::uint64_t frames);
 
@@ -43,7 +45,6 @@ class SnapshotWriter {
   void begin_element(const std::string& path, Hdf5Type type, const Hdf5Shape& chunk, std::string_view unit);
   void begin_contacts(const RawFrame& frame, std::size_t particles);
   void resume(const std::string& name);
-  void check_same(const RawFrame& frame) const;
   void add_particles(const std::vector<Particle>& particles);
   void add_contacts(const ContactRows& rows);
   template <typename T>

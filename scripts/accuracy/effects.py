@@ -32,7 +32,7 @@ def section():
     base, base_cost = scene.over_seeds(folders["spring"]), np.median(cost["spring"])
     yield (f"{scene.cell.run}, t_c/54, {scene.cell.measure_time} s of shear after {scene.cell.discard_time} s, means and standard errors of "
            f"{len(scene.cell.seeds)} seeds; in brackets the difference from the base in per cent and in units "
-           "of its standard error. Processor time of the whole run per step, output included: median (least to most) of the seeds, which ran in turn. "
+           f"of its standard error ({scene.of_seeds(len(scene.cell.seeds))}). Processor time of the whole run per step, output included: median (least to most) of the seeds, which ran in turn. "
            "What each effect costs in the pair loop: "
            "[performance](../performance.md), `build/bin/effects_bench`.")
     yield ""

@@ -170,6 +170,12 @@ def changes(found):
         yield f"| {n} | " + " | ".join(cells) + " |"
 
 
+def of_seeds(count):
+    """What a number of standard errors of a difference means: Student's t with 2 (n - 1) degrees of freedom, 95 %."""
+    student = {8: 2.31, 14: 2.14, 22: 2.07}
+    return f"{student[2 * (count - 1)]:.1f} of them are an interval of 95 %, Student's t of two means of {count} seeds"
+
+
 def verdicts(found):
     """Of each quantity: at which steps it differs from the finest by more than two standard errors, and what the others leave open."""
     for key, name in PLAIN.items():
@@ -198,7 +204,7 @@ def section():
     yield ""
     yield (f"Where trajectories have lost their memory only means count. {cell.run}, Eq. 1, {cell.measure_time} s of shear after {cell.discard_time} "
            f"s; means and standard errors of {len(cell.seeds)} seeds, "
-           f"in brackets the difference from t_c/{STEPS[-1]}, in per cent and in units of its standard error. Grey: 1 % about t_c/{STEPS[-1]}. "
+           f"in brackets the difference from t_c/{STEPS[-1]}, in per cent and in units of its standard error ({of_seeds(len(cell.seeds))}). Grey: 1 % about t_c/{STEPS[-1]}. "
            f"Numbers: [accuracy_answers.csv](accuracy_answers.csv).")
     yield ""
     yield from changes(found)

@@ -104,8 +104,9 @@ TEXT = [flip_bit, delete_byte, insert_byte, cut, change_digit, change_digit, nas
 def no_number(words, rng):
     """A number of the command line becomes something that is none; the program must refuse it."""
     places = [k for k, word in enumerate(words) if re.fullmatch(r"-?[0-9][0-9.e-]*", word)]
-    words[rng.choice(places)] = rng.choice(["nan", "inf", "-inf", "", "x", "1e999", "1,2", "0x", "1..2", "--1"])
-    return True
+    place = rng.choice(places)
+    words[place] = rng.choice(["nan", "inf", "-inf", "", "x", "1e999", "1,2", "0x", "1..2", "--1"])
+    return not (words[place] == "1,2" and words[place - 1] == "--bulk-types")  # a list of types
 
 
 def misspelt(words, rng):

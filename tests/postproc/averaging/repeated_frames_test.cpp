@@ -9,8 +9,8 @@ FrameSums frame(std::int64_t run, std::int64_t step, double first, double second
   FrameSums sums;
   sums.run = run;
   sums.step = step;
-  sums.sums = Rows::Zero(2, 2);
-  sums.sums << first, 1, second, 1;
+  sums.sums = Rows::Zero(2, 4);
+  sums.sums << first, 1, 2 * first, 1, second, 1, 2 * second, 1;
   return sums;
 }
 
@@ -22,6 +22,16 @@ TEST(RepeatedFrames, AreKnownByTheirSumsWithinTheDigitsOfADump) {
   EXPECT_FALSE(frames.add(frame(1, 300, 4, 6)));       // another step
   EXPECT_FALSE(frames.add(frame(2, 100, 3.01, 5)));    // another packing
   EXPECT_FALSE(frames.add(frame(2, 200, 6, 4)));       // the same total elsewhere
+}
+
+// Two packings of the same discs have the same solid fraction where a volume holds all of them.
+TEST(RepeatedFrames, AreNotKnownByFewSums) {
+  RepeatedFrames frames;
+  for (const std::int64_t run : {0, 1}) {
+    FrameSums three = frame(run, 100, 3, 5);
+    three.sums.col(3).setZero();
+    EXPECT_FALSE(frames.add(three));
+  }
 }
 
 TEST(RepeatedFrames, AreNoneWhereNothingMovesOrNothingIs) {

@@ -157,6 +157,10 @@ TEST(SnapshotLog, AnotherSystemIsAnError) {
   for (Particle& disc : others.particles) disc.id += 10000;
   EXPECT_EQ(error_with(parameters(), others),
             file + ": is of another system; expected discs that the file has, got none of them");
+  RawFrame other_box = frame_at(0);
+  other_box.step = -1;  // all frames would be dropped
+  other_box.box.periodic = {true, true};
+  EXPECT_NE(error_with(parameters(), other_box).find("the boundaries change"), std::string::npos);
   EXPECT_EQ(steps_of(file), from_to(0, 0));
 }
 
