@@ -36,28 +36,28 @@ struct Grant {
 
 struct ExternalForceClear {
   using Type = int Integrate::*;
-  friend Type member(ExternalForceClear tag);
+  friend Type member(ExternalForceClear);
 };
 struct SwapCount {
   using Type = int CommBrick::*;
-  friend Type member(SwapCount tag);
+  friend Type member(SwapCount);
 };
 struct SendCounts {
   using Type = int* CommBrick::*;
-  friend Type member(SendCounts tag);
+  friend Type member(SendCounts);
 };
 struct SendLists {
   using Type = int** CommBrick::*;
-  friend Type member(SendLists tag);
+  friend Type member(SendLists);
 };
 
 struct MustCheck {
   using Type = int Neighbor::*;
-  friend Type member(MustCheck tag);
+  friend Type member(MustCheck);
 };
 struct TriggerSquare {
   using Type = double Neighbor::*;
-  friend Type member(TriggerSquare tag);
+  friend Type member(TriggerSquare);
 };
 
 template struct Grant<TriggerSquare, &Neighbor::triggersq>;

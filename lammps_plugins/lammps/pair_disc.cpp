@@ -131,7 +131,7 @@ namespace {
 // Naming a protected member in an explicit template instantiation: see engine_access.cpp.
 struct StylesInRestart {
   using Type = char** Modify::*;
-  friend Type member(StylesInRestart tag);
+  friend Type member(StylesInRestart);
 };
 template <class Tag, typename Tag::Type Member>
 struct Grant {
