@@ -4,7 +4,7 @@ import re
 import subprocess
 
 MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1", "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe",
-       "OMPI_MCA_hwloc_base_binding_policy": "none", "OMPI_MCA_odls_base_sigkill_timeout": "0",
+       "OMPI_MCA_hwloc_base_binding_policy": "none", "OMPI_MCA_btl": "^tcp", "OMPI_MCA_odls_base_sigkill_timeout": "0",
        "OMPI_MCA_mpi_yield_when_idle": "1"}
 MARK = "@@ script"
 
