@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "comm.h"
 #include "command.h"
 #include "compute.h"
 #include "fix.h"
@@ -24,13 +25,22 @@ class FixOfEngine : public LAMMPS_NS::Fix {
     maxexchange = most_exchanged;
   }
 
-  /// The fix has so many numbers for each ghost, which Comm::forward_comm_fix() takes from the disc that it
-  /// is an image of.
+  /// The fix has so many numbers for each ghost, which send_values_to_ghosts() takes from the disc that it is
+  /// an image of.
   void has_values_of_ghosts(int count) { comm_forward = count; }
+  void send_values_to_ghosts() { forward(*comm); }
   virtual void pack_for_ghost(int /*i*/, double* /*buffer*/) const {}
   virtual void unpack_for_ghost(int /*i*/, const double* /*buffer*/) {}
 
  private:
+  template <class Comm>
+  void forward(Comm& comm) {
+    if constexpr (requires { comm.forward_comm_fix(this); }) {
+      comm.forward_comm_fix(this);
+    } else {
+      comm.forward_comm(this);
+    }
+  }
   int pack_forward_comm(int n, int* list, double* buffer, int /*pbc_flag*/, int* /*pbc*/) final {
     for (int k = 0; k < n; ++k)
       pack_for_ghost(list[k], buffer + static_cast<std::ptrdiff_t>(comm_forward) * k);

@@ -1,9 +1,13 @@
 #include "engine_access.h"
 
+#include <mpi.h>
+
 #include <algorithm>
 #include <csignal>
+#include <exception>
 #include <iterator>
 #include <numeric>
+#include <typeinfo>
 
 #include "atom.h"
 #include "comm_brick.h"
@@ -32,28 +36,28 @@ struct Grant {
 
 struct ExternalForceClear {
   using Type = int Integrate::*;
-  friend Type member(ExternalForceClear tag);
+  friend Type member(ExternalForceClear);
 };
 struct SwapCount {
   using Type = int CommBrick::*;
-  friend Type member(SwapCount tag);
+  friend Type member(SwapCount);
 };
 struct SendCounts {
   using Type = int* CommBrick::*;
-  friend Type member(SendCounts tag);
+  friend Type member(SendCounts);
 };
 struct SendLists {
   using Type = int** CommBrick::*;
-  friend Type member(SendLists tag);
+  friend Type member(SendLists);
 };
 
 struct MustCheck {
   using Type = int Neighbor::*;
-  friend Type member(MustCheck tag);
+  friend Type member(MustCheck);
 };
 struct TriggerSquare {
   using Type = double Neighbor::*;
-  friend Type member(TriggerSquare tag);
+  friend Type member(TriggerSquare);
 };
 
 template struct Grant<TriggerSquare, &Neighbor::triggersq>;
@@ -154,6 +158,29 @@ double radius_to_come(Fix& fix, int type) {
 double time_now(const LAMMPS& engine) {
   const Update& update = *engine.update;
   return update.atime + static_cast<double>(update.ntimestep - update.atimestep) * update.dt;
+}
+
+namespace {
+
+/// Whether an error is of one rank alone, so that the others wait for it.
+template <class Exception>
+bool is_of_one_rank(const Exception& exception) {
+  // The classes of errors have other names by the version.
+  return std::string(typeid(exception).name()).find("AbortException") != std::string::npos;
+}
+
+}  // namespace
+
+/// Later LAMMPS throws where it ended the program; its message stands on the screen already.
+int exit_code_of(const std::function<void()>& run) {
+  try {
+    run();
+    return 0;
+  } catch (const std::exception& exception) {
+    if (is_of_one_rank(exception)) MPI_Abort(MPI_COMM_WORLD, 1);
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  return 1;
 }
 
 /// The engine's own program leaves signals alone.

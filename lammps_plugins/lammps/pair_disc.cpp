@@ -3,11 +3,13 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "arguments.h"
 #include "atom.h"
 #include "comm.h"
 #include "engine_access.h"
+#include "error.h"
 #include "first_rank.h"
 #include "fix_disc_history.h"
 #include "force.h"
@@ -15,6 +17,7 @@
 #include "modify.h"
 #include "neigh_request.h"
 #include "neighbor.h"
+#include "physics/contact_energy.h"
 #include "update.h"
 #include "utils.h"
 
@@ -56,6 +59,19 @@ std::string types_text(const std::string& i, const std::string& j) {
   return "pair_coeff " + i + " " + j;
 }
 
+/// Of discs by their radii, with springs or without. LAMMPS has other ways for it from 24 Mar 2022 on.
+template <class Engine, class Style>
+void request_list(Engine& neighbor, Style* pair, int instance, bool springs) {
+  if constexpr (requires { neighbor.add_request(pair, 0); }) {
+    constexpr int by_size = 1 << 2, with_history = 1 << 3;  // REQ_SIZE, REQ_HISTORY
+    neighbor.add_request(pair, by_size | (springs ? with_history : 0));
+  } else {
+    const int request = neighbor.request(pair, instance);
+    neighbor.requests[request]->size = 1;
+    neighbor.requests[request]->history = springs ? 1 : 0;
+  }
+}
+
 // Marks our pair style in a restart file.
 constexpr std::int64_t restart_key = 0x64697363;
 
@@ -65,7 +81,9 @@ constexpr const char *history_id = "NEIGH_HISTORY_DISC", *dummy_id = "NEIGH_HIST
 
 PairDisc::PairDisc(LAMMPS* engine, physics::Normal normal) : Pair(engine), law_(*this, engine, normal) {
   restartinfo = 1;
-  single_enable = 0;
+  single_enable = 1;
+  single_extra = 4;
+  svector = new double[single_extra]();
   no_virial_fdotr_compute = 1;
   finitecutflag = 1;
   nondefault_history_transfer = 1;
@@ -76,6 +94,7 @@ PairDisc::PairDisc(LAMMPS* engine, physics::Normal normal) : Pair(engine), law_(
 
 PairDisc::~PairDisc() {
   modify->delete_fix(history_ ? history_id : dummy_id);
+  delete[] svector;
   if (!allocated) return;
   memory->destroy(setflag);
   memory->destroy(cutsq);
@@ -112,7 +131,7 @@ namespace {
 // Naming a protected member in an explicit template instantiation: see engine_access.cpp.
 struct StylesInRestart {
   using Type = char** Modify::*;
-  friend Type member(StylesInRestart tag);
+  friend Type member(StylesInRestart);
 };
 template <class Tag, typename Tag::Type Member>
 struct Grant {
@@ -167,9 +186,7 @@ void PairDisc::init_style() {
   if (!stores_discs(*atom) || !atom->omega_flag || !atom->torque_flag)
     law_.fail(std::string("needs 'atom_style ") + disc_atom_style + "'");
   if (comm->ghost_velocity == 0) law_.fail("needs 'comm_modify vel yes'");
-  const int request = neighbor->request(this, instance_me);
-  neighbor->requests[request]->size = 1;
-  neighbor->requests[request]->history = law_.effects().spring() ? 1 : 0;
+  request_list(*neighbor, this, instance_me, law_.effects().spring());
   provide_history();
   law_.begin_run(parameters());
 }
@@ -219,6 +236,46 @@ double PairDisc::init_one(int i, int j) {
 void PairDisc::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   law_.evaluate({*list, true, update->setupflag == 0, evflag != 0});
+}
+
+const AppliedContact* PairDisc::contact_of(int i, int j) {
+  if (contacts_step_ != update->ntimestep) {
+    const auto* applied = law_.applied_contacts();
+    if (!applied)
+      error->one(FLERR, (law_.style() + ": contacts of this step were not kept; expected their compute to be "
+                                        "defined before the run")
+                            .c_str());
+    contacts_.clear();
+    for (const AppliedContact& contact : *applied) contacts_[{contact.i, contact.j}] = &contact;
+    contacts_step_ = update->ntimestep;
+  }
+  const auto found = contacts_.find({i, j});
+  return found == contacts_.end() ? nullptr : found->second;
+}
+
+double PairDisc::elastic_energy(const AppliedContact& c) const {
+  const physics::ContactState state{c.overlap, 0, 0, 0,
+                                    physics::reduced_radius(atom->radius[c.i], atom->radius[c.j])};
+  const ContactParameters& p = law_.parameters(atom->type[c.i], atom->type[c.j]);
+  return law_.effects().normal == physics::Normal::hertz
+             ? physics::normal_energy<Effects{.normal = physics::Normal::hertz}>(p, state)
+             : physics::normal_energy<Effects{.normal = physics::Normal::linear}>(p, state);
+}
+
+double PairDisc::single(int i, int j, int /*type_i*/, int /*type_j*/, double distance_square,
+                        double /*factor_coulomb*/, double /*factor_lj*/, double& force_over_distance) {
+  std::fill_n(svector, single_extra, 0.0);
+  force_over_distance = 0;
+  const AppliedContact* there = contact_of(i, j);
+  const AppliedContact* back = there ? nullptr : contact_of(j, i);
+  if (!there && !back) return 0;
+  const AppliedContact& c = there ? *there : *back;
+  const double side = there ? 1 : -1;
+  force_over_distance = c.force.f_n / std::sqrt(distance_square);
+  svector[0] = -side * c.force.f_t * c.n_y;
+  svector[1] = side * c.force.f_t * c.n_x;
+  svector[3] = std::abs(c.force.f_t);
+  return elastic_energy(c);
 }
 
 void PairDisc::write_restart(FILE* file) {

@@ -10,8 +10,10 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "disc_law.h"
@@ -35,8 +37,19 @@ class PairDisc : public LAMMPS_NS::Pair {
   void compute(int eflag, int vflag) override;
   void write_restart(FILE* file) override;
   void read_restart(FILE* file) override;
-  void transfer_history(double* from, double* to) override;
+  // Either overrides the engine's, by its version.
+  void transfer_history(double* from, double* to);
+  void transfer_history(double* from, double* to, int /*type_1*/, int /*type_2*/) {
+    transfer_history(from, to);
+  }
   double memory_usage() override;
+
+  /// The contact of two discs as it acted in this step, for compute pair/local and others: force over
+  /// distance of the normal force on i, elastic energy of the overlap (J), and in `svector` the tangential
+  /// force on i (x, y, z) and its magnitude (N), as the granular styles of the engine have them. All 0 where
+  /// they do not touch.
+  double single(int i, int j, int type_i, int type_j, double distance_square, double factor_coulomb,
+                double factor_lj, double& force_over_distance) override;
 
   DiscLaw& law() { return law_; }
 
@@ -78,7 +91,12 @@ class PairDisc : public LAMMPS_NS::Pair {
   void provide_history();
   void tell_of_foreign_springs() const;
 
+  const AppliedContact* contact_of(int i, int j);
+  double elastic_energy(const AppliedContact& contact) const;
+
   Law law_;
+  std::map<std::pair<int, int>, const AppliedContact*> contacts_;  // of the step, by i and j in this order
+  LAMMPS_NS::bigint contacts_step_ = -1;
   FixDiscHistory* history_ = nullptr;
   std::vector<Coefficients> coefficients_;  // of types i, j at (i - 1) * types + j - 1, for i <= j
 };

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "comm.h"
 #include "compute.h"
 #include "fix.h"
 #include "pointers.h"
@@ -23,9 +24,10 @@ class FixOfEngine : public LAMMPS_NS::Fix {
     just_created = 0;
   }
 
-  /// The fix has so many numbers for each ghost, which Comm::forward_comm_fix() takes from the disc that it
-  /// is an image of.
+  /// The fix has so many numbers for each ghost, which send_values_to_ghosts() takes from the disc that it is
+  /// an image of.
   void has_values_of_ghosts(int count) { comm_forward = count; }
+  void send_values_to_ghosts() { comm->forward_comm_fix(this); }
   virtual void pack_for_ghost(int /*i*/, double* /*buffer*/) const {}
   virtual void unpack_for_ghost(int /*i*/, const double* /*buffer*/) {}
 

@@ -29,47 +29,47 @@ struct Grant {
 
 struct FixMap {
   using Type = std::map<std::string, FixCreator>* LAMMPS_NS::Modify::*;
-  friend Type member(FixMap tag);
+  friend Type member(FixMap);
 };
 struct ComputeMap {
   using Type = std::map<std::string, ComputeCreator>* LAMMPS_NS::Modify::*;
-  friend Type member(ComputeMap tag);
+  friend Type member(ComputeMap);
 };
 struct CommandMap {
   using Type = std::map<std::string, CommandCreator>* LAMMPS_NS::Input::*;
-  friend Type member(CommandMap tag);
+  friend Type member(CommandMap);
 };
 
 struct ExternalForceClear {
   using Type = int LAMMPS_NS::Integrate::*;
-  friend Type member(ExternalForceClear tag);
+  friend Type member(ExternalForceClear);
 };
 struct SwapCount {
   using Type = int LAMMPS_NS::Comm::*;
-  friend Type member(SwapCount tag);
+  friend Type member(SwapCount);
 };
 struct SendCounts {
   using Type = int* LAMMPS_NS::Comm::*;
-  friend Type member(SendCounts tag);
+  friend Type member(SendCounts);
 };
 struct SendLists {
   using Type = int** LAMMPS_NS::Comm::*;
-  friend Type member(SendLists tag);
+  friend Type member(SendLists);
 };
 
 struct TriggerSquare {
   using Type = double LAMMPS_NS::Neighbor::*;
-  friend Type member(TriggerSquare tag);
+  friend Type member(TriggerSquare);
 };
 
 struct MustCheck {
   using Type = int LAMMPS_NS::Neighbor::*;
-  friend Type member(MustCheck tag);
+  friend Type member(MustCheck);
 };
 
 struct NextRestart {
   using Type = LAMMPS_NS::bigint LAMMPS_NS::Output::*;
-  friend Type member(NextRestart tag);
+  friend Type member(NextRestart);
 };
 
 template struct Grant<TriggerSquare, &LAMMPS_NS::Neighbor::triggersq>;
@@ -133,6 +133,12 @@ double radius_to_come(LAMMPS_NS::Fix& fix, int type) {
 
 double time_now(const LAMMPS_NS::LAMMPS& engine) {
   return engine.update->get_cur_time();
+}
+
+/// The engine ends the program itself.
+int exit_code_of(const std::function<void()>& run) {
+  run();
+  return 0;
 }
 
 /// As in the engine's own program: SIGINT and SIGTERM end the run after the current step and write what is

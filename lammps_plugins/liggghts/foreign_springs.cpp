@@ -19,15 +19,15 @@ struct Grant {
 };
 struct GlobalIds {
   using Type = char** Modify::*;
-  friend Type member(GlobalIds tag);
+  friend Type member(GlobalIds);
 };
 struct GlobalStates {
   using Type = char** Modify::*;
-  friend Type member(GlobalStates tag);
+  friend Type member(GlobalStates);
 };
 struct AtomIds {
   using Type = char** Modify::*;
-  friend Type member(AtomIds tag);
+  friend Type member(AtomIds);
 };
 template struct Grant<GlobalIds, &Modify::id_restart_global>;
 template struct Grant<GlobalStates, &Modify::state_restart_global>;

@@ -104,11 +104,11 @@ using PairFactory = LIGGGHTS::Utils::AbstractFactory<LIGGGHTS::PairStyles::IGran
 using WallFactory = LIGGGHTS::Utils::AbstractFactory<LIGGGHTS::Walls::IGranularWall>;
 struct PairSelectors {
   using Type = Selectors PairFactory::*;
-  friend Type member(PairSelectors tag);
+  friend Type member(PairSelectors);
 };
 struct WallSelectors {
   using Type = Selectors WallFactory::*;
-  friend Type member(WallSelectors tag);
+  friend Type member(WallSelectors);
 };
 template <class Tag, typename Tag::Type Member>
 struct Grant {

@@ -5,6 +5,7 @@
 #include "arguments.h"
 #include "atom.h"
 #include "compute_pair_gran_local.h"
+#include "engine_lists.h"
 #include "fix.h"
 #include "force.h"
 #include "modify.h"
@@ -107,9 +108,8 @@ bool PairGranDisc::contact_match(const std::string kind, const std::string model
 }
 
 void PairGranDisc::keep_springs_with_atoms() {
-  for (int k = 0; k < modify->nfix; ++k) {
-    if (std::strcmp(modify->fix[k]->style, "contacthistory") == 0) modify->fix[k]->pre_exchange();
-  }
+  for (LAMMPS_NS::Fix* fix : fixes(*modify))
+    if (std::strcmp(fix->style, "contacthistory") == 0) fix->pre_exchange();
 }
 
 DiscLaw::History PairGranDisc::history() {

@@ -92,7 +92,7 @@ using Implementation = LIGGGHTS::PairStyles::IGranularPairStyle;
 // The engine's proxy keeps its implementation private; see engine_access.h for the way in.
 struct ProxyImplementation {
   using Type = Implementation* PairGranProxy::*;
-  friend Type member(ProxyImplementation tag);
+  friend Type member(ProxyImplementation);
 };
 template <class Tag, typename Tag::Type Member>
 struct Grant {

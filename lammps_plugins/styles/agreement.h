@@ -1,6 +1,8 @@
 // What several fixes say of one thing has to be the same.
 #pragma once
 
+#include "styles_never_throw.h"
+
 namespace LAMMPS_NS {
 class LAMMPS;
 }
@@ -10,7 +12,7 @@ namespace mikromakro::styles {
 /// A fix that divides forces by the thickness of the discs, or writes it down.
 class KnowsHeight {
  public:
-  virtual ~KnowsHeight() = default;
+  virtual ~KnowsHeight() noexcept(styles_never_throw) = default;
   /// m; 0: it was not given.
   virtual double given_height() const = 0;
 };

@@ -1,9 +1,9 @@
 #include "contact_rows.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 
 #include "atom.h"
 #include "comm.h"
@@ -11,6 +11,7 @@
 #include "disc_law.h"
 #include "domain.h"
 #include "engine_access.h"
+#include "engine_lists.h"
 #include "modify.h"
 #include "output.h"
 #include "update.h"
@@ -29,6 +30,13 @@ AppliedContact moved(const Atom& atom, AppliedContact c) {
   c.n_y = y / distance;
   c.overlap = atom.radius[c.i] + atom.radius[c.j] - distance;
   return c;
+}
+
+/// Ours, and those of the engine that ask the pair style for single contacts.
+bool reads_contacts(const Compute& compute) {
+  constexpr std::array names = {"contact/disc", "pair/local", "fabric", "group/group"};
+  return std::any_of(names.begin(), names.end(),
+                     [&](const char* name) { return std::strcmp(compute.style, name) == 0; });
 }
 
 ContactRow row_of(const Atom& atom, const AppliedContact& c) {
@@ -56,13 +64,11 @@ ContactRow row_of(const Atom& atom, const AppliedContact& c) {
 void ContactSchedule::look_up(LAMMPS& engine) {
   const Modify& modify = *engine.modify;
   computes_.clear();
-  std::copy_if(modify.compute, modify.compute + modify.ncompute, std::back_inserter(computes_),
-               [](const Compute* c) { return std::strcmp(c->style, "contact/disc") == 0; });
+  for (Compute* compute : computes(modify))
+    if (reads_contacts(*compute)) computes_.push_back(compute);
   observers_.clear();
-  for (int k = 0; k < modify.nfix; ++k) {
-    if (const auto* observer = dynamic_cast<const ContactObserver*>(modify.fix[k]))
-      observers_.push_back(observer);
-  }
+  for (const Fix* fix : fixes(modify))
+    if (const auto* observer = dynamic_cast<const ContactObserver*>(fix)) observers_.push_back(observer);
 }
 
 bool ContactSchedule::due(const Update& update, const Output& output) const {
@@ -92,9 +98,8 @@ bool append_contact_rows(LAMMPS& engine, int group_bit, std::vector<ContactRow>&
     if (c.j >= atom.nlocal && atom.tag[c.i] <= atom.tag[c.j]) continue;
     rows.push_back(row_of(atom, box_changes ? moved(atom, c) : c));
   }
-  const Modify& modify = *engine.modify;
-  for (int k = 0; k < modify.nfix; ++k) {
-    const auto* walls = dynamic_cast<const WallContactSource*>(modify.fix[k]);
+  for (const Fix* fix : fixes(*engine.modify)) {
+    const auto* walls = dynamic_cast<const WallContactSource*>(fix);
     if (walls && !walls->append_wall_contacts(group_bit, rows)) return false;
   }
   return true;

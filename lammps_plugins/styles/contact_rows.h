@@ -7,6 +7,7 @@
 
 #include "lmptype.h"
 #include "pointers.h"
+#include "styles_never_throw.h"
 
 namespace LAMMPS_NS {
 class Compute;
@@ -29,7 +30,7 @@ struct WallKind {
 /// A fix whose walls touch discs.
 class WallContactSource {
  public:
-  virtual ~WallContactSource() = default;
+  virtual ~WallContactSource() noexcept(styles_never_throw) = default;
   /// Appends a row for each contact of an owned disc of the group as it was applied in this step. False: the
   /// step was not recorded.
   virtual bool append_wall_contacts(int group_bit, std::vector<ContactRow>& rows) const = 0;
@@ -39,7 +40,7 @@ class WallContactSource {
 /// A fix that reads contacts in steps of its own, of which the engine's output does not know.
 class ContactObserver {
  public:
-  virtual ~ContactObserver() = default;
+  virtual ~ContactObserver() noexcept(styles_never_throw) = default;
   virtual bool wants_contacts_at(LAMMPS_NS::bigint step) const = 0;
 };
 

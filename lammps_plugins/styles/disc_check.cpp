@@ -15,6 +15,7 @@
 #include "disc_law.h"
 #include "domain.h"
 #include "engine_access.h"
+#include "engine_lists.h"
 #include "first_rank.h"
 #include "fix.h"
 #include "fix_nve_disc.h"
@@ -70,12 +71,12 @@ void check_box_width(LAMMPS& engine, const std::string& style) {
 /// Both would move it in each step.
 void check_integrators(LAMMPS& engine, const std::string& style) {
   const Modify& modify = *engine.modify;
-  for (int k = 0; k < modify.nfix; ++k) {
-    const Fix& own = *modify.fix[k];
+  for (const Fix* integrator : fixes(modify)) {
+    const Fix& own = *integrator;
     if (!dynamic_cast<const FixNveDisc*>(&own)) continue;
-    for (int m = 0; m < modify.nfix; ++m) {
-      const Fix& other = *modify.fix[m];
-      if (m == k || !other.time_integrate) continue;
+    for (const Fix* second : fixes(modify)) {
+      const Fix& other = *second;
+      if (second == integrator || !other.time_integrate) continue;
       const int* mask = engine.atom->mask;
       const int disc = first_disc(
           engine, [&](int i) { return (mask[i] & own.groupbit) != 0 && (mask[i] & other.groupbit) != 0; });
@@ -98,26 +99,25 @@ void warn_of_integrators(LAMMPS& engine, const std::string& style) {
   const bool friction = active_disc_law(engine)->effects().tangential != physics::Tangential::none;
   const Modify& modify = *engine.modify;
   bool any = false;
-  for (int k = 0; k < modify.nfix; ++k) {
-    const Fix& fix = *modify.fix[k];
+  for (const Fix* integrator : fixes(modify)) {
+    const Fix& fix = *integrator;
     any = any || fix.time_integrate;
     if (turns_spheres(fix))
       warn(engine, style + ": fix " + fix.id + " (" + fix.style +
                        ") turns discs with the moment of inertia of spheres, 2/5 m a^2; expected 'fix " +
                        fix.id + " ... nve/sphere disc' or nve/disc");
   }
-  for (int k = 0; friction && k < modify.nfix; ++k) {
-    const Fix& fix = *modify.fix[k];
-    if (moves_without_turning(fix))
+  for (const Fix* integrator : fixes(modify)) {
+    const Fix& fix = *integrator;
+    if (friction && moves_without_turning(fix))
       warn(engine, style + ": fix " + fix.id + " (" + fix.style +
                        ") does not turn discs, on which friction acts; expected 'fix " + fix.id +
                        " ... nve/disc'");
   }
-  for (int k = 0; k < modify.ncompute; ++k) {
-    const Compute& compute = *modify.compute[k];
-    if (std::strcmp(compute.style, "erotate/sphere") == 0)
+  for (const Compute* compute : computes(modify)) {
+    if (std::strcmp(compute->style, "erotate/sphere") == 0)
       warn(engine,
-           style + ": compute " + compute.id +
+           style + ": compute " + compute->id +
                " (erotate/sphere) has the moment of inertia of spheres; the rotational energy of discs is "
                "5/4 of what it gives");
   }

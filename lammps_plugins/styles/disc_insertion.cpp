@@ -11,6 +11,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "engine_access.h"
+#include "engine_lists.h"
 #include "fix.h"
 #include "lammps.h"
 #include "modify.h"
@@ -47,8 +48,7 @@ void add_disc(LAMMPS_NS::Atom& atom, const NewDisc& disc, double* position, doub
 // What the engine's own create_atoms does after it has added atoms.
 void announce_new_atoms(LAMMPS_NS::LAMMPS& engine, int first) {
   LAMMPS_NS::Atom& atom = *engine.atom;
-  for (int m = 0; m < engine.modify->nfix; ++m) {
-    LAMMPS_NS::Fix* fix = engine.modify->fix[m];
+  for (LAMMPS_NS::Fix* fix : fixes(*engine.modify)) {
     if (!fix->create_attribute) continue;
     announce_set_arrays(*fix);
     for (int i = first; i < atom.nlocal; ++i) fix->set_arrays(i);

@@ -19,6 +19,7 @@
 #include "domain.h"
 #include "effects_line.h"
 #include "engine_access.h"
+#include "engine_lists.h"
 #include "first_rank.h"
 #include "fix_nve_disc.h"
 #include "force.h"
@@ -119,9 +120,9 @@ void DiscLaw::read_settings(FILE* file, std::int64_t key) {
 void DiscLaw::find_integrators() {
   integrators_.clear();
   bool all_predict = true;
-  for (int k = 0; k < modify->nfix; ++k) {
-    if (std::strncmp(modify->fix[k]->style, "nve", 3) != 0) continue;
-    auto* integrator = dynamic_cast<FixNveDisc*>(modify->fix[k]);
+  for (LAMMPS_NS::Fix* fix : fixes(*modify)) {
+    if (std::strncmp(fix->style, "nve", 3) != 0) continue;
+    auto* integrator = dynamic_cast<FixNveDisc*>(fix);
     all_predict = all_predict && integrator && integrator->predicts_velocities();
     if (integrator) integrators_.push_back(integrator);
   }
@@ -136,10 +137,9 @@ void DiscLaw::find_largest_radii() {
   }
   MPI_Allreduce(MPI_IN_PLACE, largest_radii_.data(), static_cast<int>(largest_radii_.size()), MPI_DOUBLE,
                 MPI_MAX, world);
-  for (int k = 0; k < modify->nfix; ++k) {
+  for (LAMMPS_NS::Fix* fix : fixes(*modify))
     for (int type = 1; type <= atom->ntypes; ++type)
-      largest_radii_[type] = std::max(largest_radii_[type], radius_to_come(*modify->fix[k], type));
-  }
+      largest_radii_[type] = std::max(largest_radii_[type], radius_to_come(*fix, type));
 }
 
 double DiscLaw::sum_of_radii() const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact_rows.h"
+#include "engine_lists.h"
 #include "fix.h"
 #include "modify.h"
 
@@ -35,7 +36,8 @@ const char* friction_name(Tangential tangential) {
 
 template <class Condition>
 bool any_fix(const LAMMPS_NS::Modify& modify, Condition condition) {
-  return std::any_of(modify.fix, modify.fix + modify.nfix, condition);
+  const auto all = fixes(modify);
+  return std::any_of(all.begin(), all.end(), condition);
 }
 
 std::vector<Effect> effects(const physics::Effects& law, const LAMMPS_NS::Modify& modify) {

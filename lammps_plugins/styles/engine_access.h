@@ -1,6 +1,7 @@
 // What the styles ask of an engine, and LIGGGHTS and LAMMPS answer differently: implemented once for each.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -65,6 +66,10 @@ double radius_to_come(LAMMPS_NS::Fix& fix, int type);
 
 /// Simulated since the engine began [s].
 double time_now(const LAMMPS_NS::LAMMPS& engine);
+
+/// For the launcher: runs the engine, and gives 1 where it ends by an exception of all ranks; one of a single
+/// rank ends the others.
+int exit_code_of(const std::function<void()>& run);
 
 /// For the launcher: what signals mean to the engine's own program.
 void handle_signals();

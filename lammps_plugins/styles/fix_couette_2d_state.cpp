@@ -11,6 +11,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "disc_insertion.h"
+#include "engine_lists.h"
 #include "fix_couette_2d.h"
 #include "group.h"
 #include "memory.h"
@@ -72,8 +73,8 @@ void FixCouette2d::check_groups() {
 
 /// This fix moves wall discs, and nobody else.
 void FixCouette2d::check_integrators() const {
-  for (int k = 0; k < modify->nfix; ++k) {
-    const Fix& other = *modify->fix[k];
+  for (const Fix* fix : fixes(*modify)) {
+    const Fix& other = *fix;
     const bool integrates = other.time_integrate || std::strncmp(other.style, "nve", 3) == 0;
     if (&other == this || !integrates) continue;
     int disc = std::numeric_limits<int>::max();

@@ -11,6 +11,7 @@
 #include "comm.h"
 #include "disc_law.h"
 #include "engine_access.h"
+#include "engine_lists.h"
 #include "modify.h"
 #include "physics/contact_energy.h"
 #include "physics/smooth_wall.h"
@@ -48,8 +49,8 @@ void FixEnergyDisc::init() {
 
 void FixEnergyDisc::find_walls() {
   walls_.clear();
-  for (int k = 0; k < modify->nfix; ++k) {
-    const auto* source = dynamic_cast<const WallContactSource*>(modify->fix[k]);
+  for (const Fix* fix : fixes(*modify)) {
+    const auto* source = dynamic_cast<const WallContactSource*>(fix);
     if (!source) continue;
     const auto kinds = source->wall_kinds();
     walls_.insert(walls_.end(), kinds.begin(), kinds.end());

@@ -129,7 +129,7 @@ void FixNveDisc::begin_step() {
 
 void FixNveDisc::send_to_ghosts() {
   if (half_steps_wait_) return;
-  if (comm->nprocs > 1 || atom->nghost > 0) comm->forward_comm_fix(this);
+  if (comm->nprocs > 1 || atom->nghost > 0) send_values_to_ghosts();
 }
 
 void FixNveDisc::pre_force(int /*vflag*/) {

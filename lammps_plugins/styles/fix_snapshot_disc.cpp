@@ -6,6 +6,7 @@
 #include "comm.h"
 #include "disc_law.h"
 #include "engine_access.h"
+#include "engine_lists.h"
 #include "first_rank.h"
 #include "frame_gathering.h"
 #include "group.h"
@@ -85,8 +86,7 @@ void FixSnapshotDisc::setup(int /*vflag*/) {
 /// The engine sets fixes up in their order, and the first frame has the forces of walls.
 void FixSnapshotDisc::check_order() const {
   bool behind = false;
-  for (int k = 0; k < modify->nfix; ++k) {
-    const Fix* fix = modify->fix[k];
+  for (const Fix* fix : fixes(*modify)) {
     if (behind && dynamic_cast<const WallContactSource*>(fix))
       stop(*lmp, style,
            std::string("its first frame needs the forces of fix ") + fix->id + " (" + fix->style +

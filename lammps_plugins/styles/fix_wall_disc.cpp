@@ -9,6 +9,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
+#include "engine_lists.h"
 #include "error.h"
 #include "first_rank.h"
 #include "modify.h"
@@ -59,8 +60,10 @@ void FixWallDisc::init() {
   saved_walls_.tell_of_those_left(*lmp);
   follow_time_step(update->ntimestep);
   int before = 0;
-  for (int k = 0; k < modify->nfix && modify->fix[k] != this; ++k)
-    before += dynamic_cast<const FixWallDisc*>(modify->fix[k]) ? 1 : 0;
+  for (const Fix* fix : fixes(*modify)) {
+    if (fix == this) break;
+    before += dynamic_cast<const FixWallDisc*>(fix) ? 1 : 0;
+  }
   walls_.show_as(0, first_id - before);
   largest_radius_ = 0;
   for (int i = 0; i < atom->nlocal; ++i) {

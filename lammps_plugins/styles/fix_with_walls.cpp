@@ -20,6 +20,8 @@ FixWithWalls::FixWithWalls(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
 }
 
 FixWithWalls::~FixWithWalls() {
+  // Not where a bad command has ended the constructor of a fix by an exception.
+  if (!springs_are_kept_) return;
   atom->delete_callback(id, 0);
   atom->delete_callback(id, 1);
 }
@@ -29,6 +31,7 @@ void FixWithWalls::keep_springs_with_atoms() {
   for (int i = 0; i < atom->nlocal; ++i) walls_.clear(i);
   atom->add_callback(0);
   atom->add_callback(1);
+  springs_are_kept_ = true;
 }
 
 int FixWithWalls::pack_restart(int i, double* buffer) {

@@ -41,6 +41,9 @@ class FixWithWalls : public FixWithClock, public WallContactSource {
 
   SmoothWalls walls_;
   WallsOfRestart saved_walls_;
+
+ private:
+  bool springs_are_kept_ = false;
 };
 
 }  // namespace mikromakro::styles

@@ -11,6 +11,7 @@
 #include "contact_rows.h"
 #include "domain.h"
 #include "engine_access.h"
+#include "engine_lists.h"
 #include "first_rank.h"
 #include "fix.h"
 #include "group.h"
@@ -93,8 +94,7 @@ void take_contacts(const std::vector<ContactRow>& rows, RawFrame& frame) {
 // Fixes with walls have their state as a vector, which only all ranks together know.
 std::vector<WallState> wall_states(const LAMMPS_NS::Modify& modify) {
   std::vector<WallState> walls;
-  for (int k = 0; k < modify.nfix; ++k) {
-    LAMMPS_NS::Fix* fix = modify.fix[k];
+  for (LAMMPS_NS::Fix* fix : fixes(modify)) {
     const std::string style = fix->style;
     if (!fix->vector_flag || (style != "couette/2d" && style != "biaxial/2d" && style != "wall/disc"))
       continue;

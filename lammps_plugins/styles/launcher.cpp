@@ -43,11 +43,11 @@ int main(int argc, char** argv) {
     if (wants_help(argc, argv)) std::printf("%s", mikromakro::styles::style_list().c_str());
   }
   if (wants_help(argc, argv)) std::atexit(end_of_help);
-  {
+  const int code = mikromakro::styles::exit_code_of([&] {
     const auto engine = std::make_unique<LAMMPS_NS::LAMMPS>(argc, argv, MPI_COMM_WORLD);
     mikromakro::styles::register_styles(*engine);
     engine->input->file();
-  }
+  });
   MPI_Finalize();
-  return 0;
+  return code;
 }

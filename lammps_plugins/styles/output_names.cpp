@@ -6,6 +6,7 @@
 
 #include "arguments.h"
 #include "dump.h"
+#include "engine_lists.h"
 #include "fix.h"
 #include "lammps.h"
 #include "modify.h"
@@ -44,13 +45,11 @@ void check_outputs(LAMMPS& engine, const Fix& own) {
     stop(engine, own.style,
          std::string("its numbers are in SI units; expected 'units si', got '") + engine.update->unit_style +
              "'");
-  const Modify& modify = *engine.modify;
-  for (int k = 0; k < modify.nfix; ++k) {
-    const Fix& fix = *modify.fix[k];
-    const auto* writer = dynamic_cast<const FileWriter*>(&fix);
-    if (!writer || &fix == &own) continue;
+  for (const Fix* fix : fixes(*engine.modify)) {
+    const auto* writer = dynamic_cast<const FileWriter*>(fix);
+    if (!writer || fix == &own) continue;
     for (const std::string& name : writer->output_names())
-      check(engine, own, std::string("fix ") + fix.id + " (" + fix.style + ")", name);
+      check(engine, own, std::string("fix ") + fix->id + " (" + fix->style + ")", name);
   }
   const Output& output = *engine.output;
   for (int k = 0; k < output.ndump; ++k)

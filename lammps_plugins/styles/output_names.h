@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "styles_never_throw.h"
+
 namespace LAMMPS_NS {
 class Fix;
 class LAMMPS;
@@ -14,7 +16,7 @@ namespace mikromakro::styles {
 /// A fix that writes files of its own.
 class FileWriter {
  public:
-  virtual ~FileWriter() = default;
+  virtual ~FileWriter() noexcept(styles_never_throw) = default;
   /// As the script names them, with a * for the step.
   virtual std::vector<std::string> output_names() const = 0;
 };

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "engine_access.h"
+#include "engine_lists.h"
 #include "fix.h"
 #include "fix_biaxial_2d.h"
 #include "fix_bottom_friction.h"
@@ -46,9 +47,8 @@ bool may_stay_open(LAMMPS& engine, const Fix& integrator) {
   if (update.whichflag != run || std::strcmp(update.integrate_style, "verlet") != 0) return false;
   if (others_add_forces(*engine.force)) return false;
   const Modify& modify = *engine.modify;
-  for (int k = 0; k < modify.nfix; ++k) {
-    if (modify.fix[k] != &integrator && !may_act(*modify.fix[k], modify.fmask[k])) return false;
-  }
+  for (Fix* fix : fixes(modify))
+    if (fix != &integrator && !may_act(*fix, mask_of(modify, fix))) return false;
   return true;
 }
 
@@ -56,7 +56,8 @@ bool build_is_due(LAMMPS& engine) {
   const bigint step = engine.update->ntimestep;
   if (writes_restart_at(engine, step) || !engine.neighbor->dist_check) return true;
   const Modify& modify = *engine.modify;
-  return std::any_of(modify.fix, modify.fix + modify.nfix, [step](const Fix* fix) {
+  const auto all = fixes(modify);
+  return std::any_of(all.begin(), all.end(), [step](const Fix* fix) {
     return fix->force_reneighbor && fix->next_reneighbor == step;
   });
 }
@@ -64,9 +65,8 @@ bool build_is_due(LAMMPS& engine) {
 void EndOfStepReaders::look_up(LAMMPS& engine) {
   const Modify& modify = *engine.modify;
   intervals_.clear();
-  for (int k = 0; k < modify.nfix; ++k) {
-    if (modify.fmask[k] & FixConst::END_OF_STEP) intervals_.push_back(modify.fix[k]->nevery);
-  }
+  for (Fix* fix : fixes(modify))
+    if (mask_of(modify, fix) & FixConst::END_OF_STEP) intervals_.push_back(fix->nevery);
 }
 
 bool EndOfStepReaders::any_at_present_step(LAMMPS& engine) const {

@@ -9,6 +9,7 @@
 
 #include "atom.h"
 #include "contact_rows.h"
+#include "engine_lists.h"
 #include "error.h"
 #include "first_rank.h"
 #include "fix.h"
@@ -35,9 +36,8 @@ std::string shortest(double value) {
 /// infinitely heavy in a contact.
 int integrated_groups(const Modify& modify) {
   int bits = 0;
-  for (int k = 0; k < modify.nfix; ++k) {
-    if (std::strncmp(modify.fix[k]->style, "nve", 3) == 0) bits |= modify.fix[k]->groupbit;
-  }
+  for (const Fix* fix : fixes(modify))
+    if (std::strncmp(fix->style, "nve", 3) == 0) bits |= fix->groupbit;
   return bits;
 }
 
@@ -56,8 +56,8 @@ void largest_of_all_ranks(std::vector<double>& values, MPI_Comm world) {
 /// as others, their exact radius makes no difference to a time scale.
 void carry_walls(const Modify& modify, std::vector<double>& carried_radius) {
   constexpr double large = 1e3;  // m
-  for (int k = 0; k < modify.nfix; ++k) {
-    const auto* walls = dynamic_cast<const WallContactSource*>(modify.fix[k]);
+  for (const Fix* fix : fixes(modify)) {
+    const auto* walls = dynamic_cast<const WallContactSource*>(fix);
     if (!walls) continue;
     for (const WallKind& wall : walls->wall_kinds()) carried_radius[wall.type - 1] = large;
   }

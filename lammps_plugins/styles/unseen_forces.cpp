@@ -8,6 +8,7 @@
 
 #include "compute.h"
 #include "contact_rows.h"
+#include "engine_lists.h"
 #include "first_rank.h"
 #include "fix.h"
 #include "force.h"
@@ -60,27 +61,21 @@ void append(std::string& list, const std::string& name) {
 std::string unseen_forces(const LAMMPS& engine) {
   std::string names;
   const Modify& modify = *engine.modify;
-  for (int k = 0; k < modify.nfix; ++k) {
-    const Fix& fix = *modify.fix[k];
-    if (pushes_discs_unseen(fix, modify.fmask[k]))
-      append(names, std::string("fix ") + fix.id + " (" + fix.style + ")");
-  }
+  for (Fix* fix : fixes(modify))
+    if (pushes_discs_unseen(*fix, mask_of(modify, fix)))
+      append(names, std::string("fix ") + fix->id + " (" + fix->style + ")");
   if (engine.force->bond) append(names, std::string("bond_style ") + engine.force->bond_style);
   return names;
 }
 
 std::string outputs_of_contacts(const Modify& modify) {
   std::string names;
-  for (int k = 0; k < modify.ncompute; ++k) {
-    const Compute& compute = *modify.compute[k];
-    if (std::strcmp(compute.style, "contact/disc") == 0)
-      append(names, std::string("compute ") + compute.id + " (contact/disc)");
-  }
-  for (int k = 0; k < modify.nfix; ++k) {
-    const Fix& fix = *modify.fix[k];
-    if (dynamic_cast<const ContactObserver*>(&fix))
-      append(names, std::string("fix ") + fix.id + " (" + fix.style + ")");
-  }
+  for (const Compute* compute : computes(modify))
+    if (std::strcmp(compute->style, "contact/disc") == 0)
+      append(names, std::string("compute ") + compute->id + " (contact/disc)");
+  for (const Fix* fix : fixes(modify))
+    if (dynamic_cast<const ContactObserver*>(fix))
+      append(names, std::string("fix ") + fix->id + " (" + fix->style + ")");
   return names;
 }
 

@@ -19,11 +19,11 @@ struct Grant {
 };
 struct SavedIds {
   using Type = char** Modify::*;
-  friend Type member(SavedIds tag);
+  friend Type member(SavedIds);
 };
 struct SavedStyles {
   using Type = char** Modify::*;
-  friend Type member(SavedStyles tag);
+  friend Type member(SavedStyles);
 };
 template struct Grant<SavedIds, &Modify::id_restart_global>;
 template struct Grant<SavedStyles, &Modify::style_restart_global>;

@@ -16,8 +16,8 @@ using Solver = std::function<Rows(const Rows&)>;
 struct FieldErrors {
   ColumnsOfField field;
   Eigen::Index series = 0;  ///< that fluctuate
-  CorrelationTime correlation;
-  ErrorDecision decision;
+  CorrelationTime correlation{};
+  ErrorDecision decision{};
   /// Of several runs: chi^2 per value of their means about the mean of all, in the errors of each; 1 where
   /// runs differ by what their frames tell, more where packings differ. nan for one run, and without errors.
   double between_runs = std::numeric_limits<double>::quiet_NaN();

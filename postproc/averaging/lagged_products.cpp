@@ -40,9 +40,14 @@ Eigen::MatrixXd some_of(const Rows& series) {
 double mean_square_correlation(const Eigen::MatrixXd& series) {
   const auto count = static_cast<double>(series.rows());
   if (count < 2) return 0;
-  const double products = series.rows() < series.cols() ? (series * series.transpose()).squaredNorm()
-                                                        : (series.transpose() * series).squaredNorm();
-  return (products / std::pow(static_cast<double>(series.cols()), 2) - count) / (count * (count - 1));
+  Eigen::MatrixXd products;
+  if (series.rows() < series.cols()) {
+    products = series * series.transpose();
+  } else {
+    products = series.transpose() * series;
+  }
+  return (products.squaredNorm() / std::pow(static_cast<double>(series.cols()), 2) - count) /
+         (count * (count - 1));
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ Eigen::ArrayXXd fluctuating(const Eigen::ArrayXXd& series, const ExponentialProf
     const bool told = !zone || (parts.col(i) >= least_part * most).any();
     if (told && std::sqrt(variance[i]) > rounding[i]) chosen.push_back(2 + i);
   }
-  return series(Eigen::all, chosen);
+  // All rows; Eigen::all has another name in version 5.
+  return series(Eigen::seqN(Eigen::Index{0}, series.rows()), chosen);
 }
 
 double correlation(const Eigen::ArrayXXd& series) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <span>
+#include <vector>
 
 #include "io/error.h"
 
@@ -26,11 +28,22 @@ Hdf5Shape summed_chunks(const Hdf5Dataset& dataset, const Hdf5Shape& shape) {
   std::size_t values = 0;
   unsigned info = 0;
   const H5Z_filter_t filter = H5Pget_filter2(list.get(), 0, &flags, &values, nullptr, 0, nullptr, &info);
-  Hdf5Shape chunk(shape.size());
+  std::vector<hsize_t> chunk(shape.size());
   if (filter != H5Z_FILTER_FLETCHER32 ||
       H5Pget_chunk(list.get(), static_cast<int>(chunk.size()), chunk.data()) < 0)
     return {};
-  return chunk;
+  return {chunk.begin(), chunk.end()};
+}
+
+// As it is stored. Bits of `left_out`: filters that were not applied.
+herr_t read_chunk(hid_t dataset, const std::vector<hsize_t>& offset, std::uint32_t& left_out,
+                  std::span<char> bytes) {
+#if H5_VERSION_GE(2, 0, 0)
+  std::size_t size = bytes.size();
+  return H5Dread_chunk(dataset, H5P_DEFAULT, offset.data(), &left_out, bytes.data(), &size);
+#else
+  return H5Dread_chunk(dataset, H5P_DEFAULT, offset.data(), &left_out, bytes.data());
+#endif
 }
 
 }  // namespace
@@ -91,12 +104,13 @@ PackedNumbers ChunkReader::take_block(const Hdf5Block& block) {
 // None where nothing was ever written there, or without its sum.
 std::shared_ptr<const PackedChunk> ChunkReader::chunk_at(const Hdf5Shape& corner) {
   if (last_ && last_corner_ == corner) return last_;
+  const std::vector<hsize_t> offset(corner.begin(), corner.end());
   hsize_t size = 0;
   const std::uint64_t expected = product(chunk_) * number_size + sum_size;
-  if (H5Dget_chunk_storage_size(dataset_.id(), corner.data(), &size) < 0 || size != expected) return nullptr;
+  if (H5Dget_chunk_storage_size(dataset_.id(), offset.data(), &size) < 0 || size != expected) return nullptr;
   auto bytes = std::make_unique_for_overwrite<char[]>(size);
   std::uint32_t left_out = 0;
-  if (H5Dread_chunk(dataset_.id(), H5P_DEFAULT, corner.data(), &left_out, bytes.get()) < 0 || left_out != 0)
+  if (read_chunk(dataset_.id(), offset, left_out, std::span(bytes.get(), size)) < 0 || left_out != 0)
     return nullptr;
   last_corner_ = corner;
   last_ = std::make_shared<const PackedChunk>(std::move(bytes), size, true, dataset_.place());

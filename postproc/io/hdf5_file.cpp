@@ -8,7 +8,6 @@
 #include <chrono>
 #include <numeric>
 #include <thread>
-#include <type_traits>
 
 #include "io/error.h"
 #include "io/file_kind.h"
@@ -16,7 +15,10 @@
 namespace mikromakro {
 namespace {
 
-static_assert(std::is_same_v<Hdf5Shape::value_type, hsize_t>);
+/// The same numbers; which of two types hsize_t is depends on the version of HDF5.
+std::vector<hsize_t> sizes(const Hdf5Shape& shape) {
+  return {shape.begin(), shape.end()};
+}
 
 // The innermost reason that HDF5 has for its last failure.
 std::string last_reason() {
@@ -55,7 +57,7 @@ hid_t in_file(Hdf5Type type) {
 }
 
 Hdf5Id space_of(const Hdf5Shape& shape) {
-  return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose};
+  return {H5Screate_simple(static_cast<int>(shape.size()), sizes(shape).data(), nullptr), H5Sclose};
 }
 
 Hdf5Id text_type(std::size_t length, H5T_cset_t letters) {
@@ -169,7 +171,7 @@ Hdf5Shape Hdf5Dataset::shape() const {
 }
 
 void Hdf5Dataset::grow(const Hdf5Shape& shape) {
-  if (H5Dset_extent(id_.get(), shape.data()) < 0)
+  if (H5Dset_extent(id_.get(), sizes(shape).data()) < 0)
     throw run_failed(fmt::format("{}: cannot take more", place_),
                      "space on the disk, and a dataset that may grow (written by mikromakro)", last_reason());
 }
@@ -185,8 +187,8 @@ Hdf5Shape Hdf5Dataset::reach(const Hdf5Shape& shape) {
 Hdf5Id Hdf5Dataset::select(const Hdf5Block& block, Hdf5Id& in_memory) const {
   Hdf5Id space(H5Dget_space(id_.get()), H5Sclose);
   if (H5Sget_simple_extent_ndims(space.get()) != static_cast<int>(block.count.size())) return {};
-  if (H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, block.begin.data(), nullptr, block.count.data(),
-                          nullptr) < 0)
+  if (H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, sizes(block.begin).data(), nullptr,
+                          sizes(block.count).data(), nullptr) < 0)
     return {};
   in_memory = space_of(block.count);
   return space;
@@ -262,7 +264,7 @@ Hdf5Dataset Hdf5File::add_growing(const std::string& path, Hdf5Type type, const 
   const int rank = static_cast<int>(chunk.size());
   const Hdf5Id space(H5Screate_simple(rank, none.data(), any.data()), H5Sclose);
   const Hdf5Id list = without_times(H5P_DATASET_CREATE);
-  H5Pset_chunk(list.get(), rank, chunk.data());
+  H5Pset_chunk(list.get(), rank, sizes(chunk).data());
   if (checked) H5Pset_fletcher32(list.get());
   if (type == Hdf5Type::integer) H5Pset_fill_value(list.get(), H5T_NATIVE_INT64, &fill);
   Hdf5Id id(

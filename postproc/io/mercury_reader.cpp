@@ -1,6 +1,7 @@
 #include "io/mercury_reader.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

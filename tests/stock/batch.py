@@ -3,9 +3,8 @@ import os
 import re
 import subprocess
 
-MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-       "OMPI_MCA_hwloc_base_binding_policy": "none", "OMPI_MCA_odls_base_sigkill_timeout": "0",
-       "OMPI_MCA_mpi_yield_when_idle": "1"}
+MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_btl": "^tcp",
+       "OMPI_MCA_odls_base_sigkill_timeout": "0", "OMPI_MCA_mpi_yield_when_idle": "1"}
 MARK = "@@ script"
 
 
@@ -14,7 +13,7 @@ class Engine:
 
     def __init__(self, name, program, ranks, folder, mpiexec="mpirun"):
         self.name, self.ranks, self.folder = name, ranks, folder
-        self.command = ([mpiexec, "-n", str(ranks)] if ranks > 1 else []) + [os.path.abspath(program)]
+        self.command = ([mpiexec, "--bind-to", "none", "--map-by", ":OVERSUBSCRIBE", "-n", str(ranks)] if ranks > 1 else []) + [os.path.abspath(program)]
 
     def start(self, script, seconds):
         """Exit code and all that was said."""

@@ -17,7 +17,7 @@ std::string numbers(const std::string& csv) {
 
 TEST(Convert, AveragesOfSnapshotsAreThoseOfTheDumpsToTheLastBit) {
   const Folder folder;
-  const std::string file = "'" + folder.path("s.h5") + "'";
+  const std::string file = std::string("'").append(folder.path("s.h5")).append("'");
   const Ran ran = run_program("convert " + dumps + "--timestep 0.01 --out " + file);
   EXPECT_EQ(ran.code, 0) << ran.err;
   const Ran from_dumps = run_program("average " + dumps + rings);
