@@ -79,7 +79,8 @@ constexpr const char *history_id = "NEIGH_HISTORY_DISC", *dummy_id = "NEIGH_HIST
 
 }  // namespace
 
-PairDisc::PairDisc(LAMMPS* engine, physics::Normal normal) : Pair(engine), law_(*this, engine, normal) {
+PairDisc::PairDisc(LAMMPS* engine, physics::Normal normal)
+    : WithHistory(engine), law_(*this, engine, normal) {
   restartinfo = 1;
   single_enable = 1;
   single_extra = 4;
@@ -304,7 +305,7 @@ void PairDisc::read_restart(FILE* file) {
 }
 
 /// The other disc of a pair has the same spring: its signs do not depend on which disc is the first.
-void PairDisc::transfer_history(double* from, double* to) {
+void PairDisc::turn_history(const double* from, double* to) {
   std::copy_n(from, Law::history_size, to);
 }
 

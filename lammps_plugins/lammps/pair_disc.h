@@ -23,7 +23,35 @@ namespace mikromakro::styles {
 
 class FixDiscHistory;
 
-class PairDisc : public LAMMPS_NS::Pair {
+template <class Pair>
+concept transfers_by_type = requires(Pair& pair, double* history) {
+  pair.transfer_history(history, history, 0, 0);
+};
+
+/// What a contact remembers, seen from its other disc. Later LAMMPS passes the types of both, too.
+template <class Pair>
+class WithHistory : public Pair {
+ public:
+  using Pair::Pair;
+  void transfer_history(double* from, double* to) override { turn_history(from, to); }
+
+ protected:
+  virtual void turn_history(const double* from, double* to) = 0;
+};
+
+template <transfers_by_type Pair>
+class WithHistory<Pair> : public Pair {
+ public:
+  using Pair::Pair;
+  void transfer_history(double* from, double* to, int /*type_1*/, int /*type_2*/) override {
+    turn_history(from, to);
+  }
+
+ protected:
+  virtual void turn_history(const double* from, double* to) = 0;
+};
+
+class PairDisc : public WithHistory<LAMMPS_NS::Pair> {
  public:
   PairDisc(LAMMPS_NS::LAMMPS* engine, physics::Normal normal);
   ~PairDisc() override;
@@ -37,11 +65,6 @@ class PairDisc : public LAMMPS_NS::Pair {
   void compute(int eflag, int vflag) override;
   void write_restart(FILE* file) override;
   void read_restart(FILE* file) override;
-  // Either overrides the engine's, by its version.
-  void transfer_history(double* from, double* to);
-  void transfer_history(double* from, double* to, int /*type_1*/, int /*type_2*/) {
-    transfer_history(from, to);
-  }
   double memory_usage() override;
 
   /// The contact of two discs as it acted in this step, for compute pair/local and others: force over
@@ -52,6 +75,9 @@ class PairDisc : public LAMMPS_NS::Pair {
                 double factor_lj, double& force_over_distance) override;
 
   DiscLaw& law() { return law_; }
+
+ protected:
+  void turn_history(const double* from, double* to) override;
 
  private:
   /// The law, with the engine's lists of springs.
