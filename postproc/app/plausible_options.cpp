@@ -14,6 +14,12 @@ namespace {
 // Of a packing, which a few discs that somebody has put down are not.
 constexpr std::size_t enough_for_a_packing = 20;
 
+// Every so many of all show what most are like, in each frame.
+std::size_t stride_of(std::size_t count) {
+  constexpr std::size_t enough = 128;
+  return 1 + (count - 1) / enough;
+}
+
 void note_height(const Frame& frame, double height, Notes& notes) {
   constexpr double most = 100, least = 1e-4;  // radii
   if (!(height > 0) || frame.particles.empty()) return;
@@ -47,7 +53,8 @@ void note_extent(const Frame& frame, const VolumeOptions& volumes, Notes& notes)
   const std::optional<Box> bounds = bounds_of(volumes);
   if (!bounds || frame.particles.size() < enough_for_a_packing) return;
   Eigen::AlignedBox2d discs;
-  for (const Particle& disc : frame.particles) {
+  for (std::size_t i = 0; i < frame.particles.size(); i += stride_of(frame.particles.size())) {
+    const Particle& disc = frame.particles[i];
     const Eigen::Vector2d corner(disc.radius, disc.radius);
     discs.extend(disc.position - corner).extend(disc.position + corner);
   }
@@ -82,7 +89,8 @@ void note_branch(const Frame& frame, const VolumeOptions& volumes, Notes& notes)
   if (branch_name(volumes) != "radius" || frame.contacts.size() < enough_for_a_packing) return;
   constexpr double most = 0.02;
   double overlaps = 0, radii = 0;
-  for (const Contact& contact : frame.contacts) {
+  for (std::size_t i = 0; i < frame.contacts.size(); i += stride_of(frame.contacts.size())) {
+    const Contact& contact = frame.contacts[i];
     if (contact.with_wall()) continue;
     overlaps += contact.overlap;
     radii += frame.particles[static_cast<std::size_t>(contact.index1)].radius +
@@ -99,8 +107,7 @@ void note_branch(const Frame& frame, const VolumeOptions& volumes, Notes& notes)
 
 void note_stiffness(const Frame& frame, double normal_stiffness, Notes& notes) {
   if (normal_stiffness == 0 || frame.contacts.empty()) return;
-  constexpr std::size_t enough = 64;
-  const std::size_t stride = 1 + (frame.contacts.size() - 1) / enough;
+  const std::size_t stride = stride_of(frame.contacts.size());
   std::vector<double> slopes;
   for (std::size_t i = 0; i < frame.contacts.size(); i += stride) {
     const Contact& contact = frame.contacts[i];
