@@ -65,13 +65,15 @@ bool Averager::is_bulk(const Particle& particle) const {
 
 Averager::Bulk Averager::bulk_of(const Frame& frame) const {
   Bulk bulk;
-  bulk.holds.reserve(frame.particles.size());
+  bulk.holds.assign(frame.particles.size(), true);
   double sum = 0;
   int count = 0;
-  for (const Particle& particle : frame.particles) {
-    bulk.holds.push_back(is_bulk(particle));
-    if (!bulk.holds.back()) continue;
-    sum += particle.radius;
+  for (std::size_t i = 0; i < frame.particles.size(); ++i) {
+    if (!is_bulk(frame.particles[i])) {
+      bulk.holds[i] = false;
+      continue;
+    }
+    sum += frame.particles[i].radius;
     ++count;
   }
   bulk.mean_radius = sum / count;

@@ -30,6 +30,13 @@ int interval_of(const std::vector<double>& edges, double x) {
   return static_cast<int>(std::upper_bound(edges.begin(), edges.end(), x) - edges.begin()) - 1;
 }
 
+// Whether all of a disc lies in one interval, along one axis.
+bool is_within(const std::vector<double>& edges, const Intervals& reached, double centre, double radius) {
+  return reached.last == reached.first + 1 &&
+         edges[static_cast<std::size_t>(reached.first)] <= centre - radius &&
+         centre + radius <= edges[static_cast<std::size_t>(reached.last)];
+}
+
 }  // namespace
 
 std::vector<double> equal_grid_edges(double low, double high, int count, std::string_view option) {
@@ -60,6 +67,12 @@ Eigen::ArrayXd GridVolumes::measure() const {
 void GridVolumes::slice(const Eigen::Vector2d& centre, double radius, std::vector<Share>& shares) const {
   const Intervals x = reached_intervals(x_edges_, centre[0] - radius, centre[0] + radius);
   const Intervals y = reached_intervals(y_edges_, centre[1] - radius, centre[1] + radius);
+  if (x.first >= x.last) return;
+  // Most discs of large rectangles.
+  if (is_within(x_edges_, x, centre[0], radius) && is_within(y_edges_, y, centre[1], radius)) {
+    shares.push_back({y.first * columns_of_cells() + x.first, 1.0});
+    return;
+  }
   // Part of the disc left of and below an edge of x and one of y.
   const auto corner = [&](int i, int j) {
     return disc_quadrant_area((x_edges_[static_cast<std::size_t>(i)] - centre[0]) / radius,

@@ -17,7 +17,7 @@ constexpr double same_normal = 1e-3;
 
 // The normal of a pair as seen from its lower id, so that both orders of a pair compare.
 std::pair<std::int64_t, std::int64_t> pair_of(const Contact& contact) {
-  return std::minmax(contact.id1, contact.id2);
+  return {std::min(contact.id1, contact.id2), std::max(contact.id1, contact.id2)};
 }
 Eigen::Vector2d ordered_normal(const Contact& contact) {
   // Of a disc that touches its own image both sides are one contact.
@@ -26,22 +26,24 @@ Eigen::Vector2d ordered_normal(const Contact& contact) {
   return as_it_is ? contact.normal : Eigen::Vector2d(-contact.normal);
 }
 
-// Whether a disc touches itself (by both of its images, perhaps) or a pair is there twice, in one pass over a
-// table of hashes.
+// Whether surely no disc touches itself (by both of its images, perhaps) and no pair is there twice, in one
+// pass over a table of hashes. That two pairs of 2^64 share one is rare, and costs time only.
 bool all_pairs_differ(const std::vector<Contact>& contacts) {
   const std::size_t places = std::bit_ceil(2 * contacts.size() + 1);
-  std::vector<int> table(places, -1);
-  for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
-    const auto pair = pair_of(contacts[static_cast<std::size_t>(i)]);
+  constexpr std::uint64_t nobody = 0;
+  std::vector<std::uint64_t> table(places, nobody);
+  for (const Contact& contact : contacts) {
+    const auto pair = pair_of(contact);
     if (pair.first == pair.second) return false;
     constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U;
     std::uint64_t hash =
         (static_cast<std::uint64_t>(pair.first) * odd + static_cast<std::uint64_t>(pair.second)) * odd;
     hash ^= hash >> 32U;
+    if (hash == nobody) return false;
     std::size_t place = hash & (places - 1);
-    for (; table[place] >= 0; place = (place + 1) & (places - 1))
-      if (pair_of(contacts[static_cast<std::size_t>(table[place])]) == pair) return false;
-    table[place] = i;
+    for (; table[place] != nobody; place = (place + 1) & (places - 1))
+      if (table[place] == hash) return false;
+    table[place] = hash;
   }
   return true;
 }

@@ -37,12 +37,13 @@ ContactTolerance::ContactTolerance(const ContactRows& rows, const std::vector<Pa
     overlaps.add(row[overlap]);
     overlaps.add(row[dist]);
   });
-  double size = 0, radius = 0;
+  double radius = 0;
+  Eigen::Vector2d farthest = Eigen::Vector2d::Zero();
   for (const Particle& disc : particles) {
-    size = std::max({size, std::abs(disc.position.x()), std::abs(disc.position.y())});
+    farthest = farthest.cwiseMax(disc.position.cwiseAbs());
     radius = std::max(radius, disc.radius);
   }
-  size += radius;
+  const double size = farthest.maxCoeff() + radius;
   disc_place_ = std::isnan(place_error) ? places.rounding(size) : place_error;
   row_place_ = row_places.rounding(size);
   normal_ = std::min(normals.rounding(1), six_digits);

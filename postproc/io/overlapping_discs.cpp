@@ -44,18 +44,30 @@ class Grid {
       around_[axis] = std::max<std::int64_t>(1, static_cast<std::int64_t>(length[axis] / wanted));
       cell_[axis] = length[axis] / static_cast<double>(around_[axis]);
     }
-    fill(discs);
+    last_.assign(std::bit_ceil(2 * discs.size() + 1), -1);
+    entries_.reserve(4 * discs.size());
   }
 
-  /// Visits the discs that share a cell with `disc`, once for each cell.
+  /// Puts a disc into its cells and visits those that are there already, once for each cell.
   template <typename Visit>
-  void visit_neighbours(const Particle& disc, Visit visit) const {
-    visit_buckets(disc, [&](std::size_t bucket) {
-      for (std::size_t entry = begin_[bucket]; entry < begin_[bucket + 1]; ++entry) visit(entries_[entry]);
-    });
+  void add(int index, const Particle& disc, Visit visit) {
+    const Cells along_x = cells_of(disc, 0), along_y = cells_of(disc, 1);
+    for (std::int64_t i = 0; i < along_x.count; ++i)
+      for (std::int64_t j = 0; j < along_y.count; ++j) {
+        int& last = last_[bucket_of(wrapped(along_x.begin + i, 0), wrapped(along_y.begin + j, 1))];
+        for (int entry = last; entry >= 0; entry = entries_[static_cast<std::size_t>(entry)].before)
+          visit(entries_[static_cast<std::size_t>(entry)].index);
+        entries_.push_back({index, last});
+        last = static_cast<int>(entries_.size()) - 1;
+      }
   }
 
  private:
+  struct Entry {
+    int index;   // of a disc
+    int before;  // the entry before it in its bucket, -1: none
+  };
+
   Cells cells_of(const Particle& disc, Eigen::Index axis) const {
     const double from = (disc.position[axis] - disc.radius - low_[axis]) / cell_[axis];
     const double to = (disc.position[axis] + disc.radius - low_[axis]) / cell_[axis];
@@ -74,56 +86,34 @@ class Grid {
     return ((cell % around) + around) % around;
   }
 
-  template <typename Visit>
-  void visit_buckets(const Particle& disc, Visit visit) const {
-    const Cells along_x = cells_of(disc, 0), along_y = cells_of(disc, 1);
-    for (std::int64_t i = 0; i < along_x.count; ++i)
-      for (std::int64_t j = 0; j < along_y.count; ++j) {
-        constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U, other = 0xc2b2ae3d27d4eb4fU;
-        std::uint64_t hash = static_cast<std::uint64_t>(wrapped(along_x.begin + i, 0)) * odd +
-                             static_cast<std::uint64_t>(wrapped(along_y.begin + j, 1)) * other;
-        hash ^= hash >> 32U;
-        visit(hash & (begin_.size() - 2));
-      }
-  }
-
-  // Counted first, then sorted into their places.
-  void fill(const std::vector<Particle>& discs) {
-    begin_.assign(std::bit_ceil(2 * discs.size() + 1) + 1, 0);
-    for (const Particle& disc : discs) visit_buckets(disc, [&](std::size_t bucket) { ++begin_[bucket + 1]; });
-    for (std::size_t bucket = 1; bucket < begin_.size(); ++bucket) begin_[bucket] += begin_[bucket - 1];
-    entries_.resize(begin_.back());
-    std::vector<std::size_t> next(begin_.begin(), std::prev(begin_.end()));
-    for (int i = 0; i < std::ssize(discs); ++i)
-      visit_buckets(discs[static_cast<std::size_t>(i)],
-                    [&](std::size_t bucket) { entries_[next[bucket]++] = i; });
+  std::size_t bucket_of(std::int64_t x, std::int64_t y) const {
+    constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U, other = 0xc2b2ae3d27d4eb4fU;
+    std::uint64_t hash = static_cast<std::uint64_t>(x) * odd + static_cast<std::uint64_t>(y) * other;
+    hash ^= hash >> 32U;
+    return hash & (last_.size() - 1);
   }
 
   Vector2d low_;
   Vector2d cell_ = Vector2d::Zero();
   Eigen::Matrix<std::int64_t, 2, 1> around_ = {0, 0};  // cells of the box
-  std::vector<std::size_t> begin_;                     // of each bucket in entries_
-  std::vector<int> entries_;                           // indices of discs
+  std::vector<int> last_;                              // entry of each bucket, -1: none
+  std::vector<Entry> entries_;
 };
 
 // Visits each pair of discs that overlap, once for each image that does.
 template <typename Visit>
 void visit_overlaps(const std::vector<Particle>& discs, const Box& box, Visit visit) {
-  const Grid grid(discs, box);
+  Grid grid(discs, box);
   const BranchImages images(box);
   const bool several = images.several_within(2 * largest_radius(discs));
   std::vector<int> seen_by(discs.size(), -1);  // as two discs may share several cells
   for (int i = 0; i < std::ssize(discs); ++i) {
-    const Particle& one = discs[static_cast<std::size_t>(i)];
-    grid.visit_neighbours(one, [&](int j) {
-      if (j < i || std::exchange(seen_by[static_cast<std::size_t>(j)], i) == i) return;
-      const Particle& two = discs[static_cast<std::size_t>(j)];
+    const Particle& two = discs[static_cast<std::size_t>(i)];
+    grid.add(i, two, [&](int j) {
+      if (j == i || std::exchange(seen_by[static_cast<std::size_t>(j)], i) == i) return;
+      const Particle& one = discs[static_cast<std::size_t>(j)];
       const double reach = one.radius + two.radius;
-      const auto take = [&](const Vector2d& branch) {
-        // Of its own images a disc touches two at a time, in one contact.
-        const bool first_half = branch.x() > 0 || (branch.x() == 0 && branch.y() > 0);
-        if (i != j || first_half) visit(DiscPair{i, j, reach - branch.norm(), branch});
-      };
+      const auto take = [&](const Vector2d& branch) { visit(DiscPair{j, i, reach - branch.norm(), branch}); };
       const Vector2d nearest = images.nearest(two.position - one.position);
       if (several) {
         images.visit_within(reach, nearest, take);
@@ -131,6 +121,12 @@ void visit_overlaps(const std::vector<Particle>& discs, const Box& box, Visit vi
         take(nearest);
       }
     });
+    if (several)
+      images.visit_within(2 * two.radius, Vector2d::Zero(), [&](const Vector2d& branch) {
+        // Of its own images a disc touches two at a time, in one contact.
+        const bool first_half = branch.x() > 0 || (branch.x() == 0 && branch.y() > 0);
+        if (first_half) visit(DiscPair{i, i, 2 * two.radius - branch.norm(), branch});
+      });
   }
 }
 

@@ -10,42 +10,31 @@
 namespace mikromakro {
 namespace {
 
-double positive(double value, std::string_view what, const Place& place) {
+void check_positive(double value, std::string_view what, const Place& place) {
   if (value <= 0)
     throw bad_input(place, fmt::format("{} is not positive", what), "a number > 0", fmt::format("{}", value));
-  return value;
 }
 
-[[noreturn]] void throw_no_count(double value, std::string_view what, const Place& place) {
+void check_count(double value, std::string_view what, const Place& place) {
   const std::int64_t number = as_integer(value, what, place);
-  throw bad_input(place, fmt::format("{} below 1", what), "1 or more", fmt::format("{}", number));
-}
-
-inline std::int64_t counting(double value, std::string_view what, const Place& place) {
-  if (!(value >= 1 && is_integer(value))) throw_no_count(value, what, place);
-  return static_cast<std::int64_t>(value);
+  if (number < 1)
+    throw bad_input(place, fmt::format("{} below 1", what), "1 or more", fmt::format("{}", number));
 }
 
 }  // namespace
 
-Particle particle_of(const ParticleSlots& slots, ColumnSet given_columns, const Place& place) {
+void check_particle(const ParticleSlots& slots, ColumnSet given_columns, const Place& place) {
   const auto at = [&](ParticleColumn column) { return slots[static_cast<std::size_t>(column)]; };
   const auto given = [&](ParticleColumn column) { return (given_columns & column_bit(column)) != 0; };
-  Particle particle;
-  if (given(ParticleColumn::id)) particle.id = counting(at(ParticleColumn::id), "id", place);
+  if (given(ParticleColumn::id)) check_count(at(ParticleColumn::id), "id", place);
   if (given(ParticleColumn::type)) {
-    const std::int64_t type = counting(at(ParticleColumn::type), "type", place);
+    const double type = at(ParticleColumn::type);
+    check_count(type, "type", place);
     if (type > std::numeric_limits<int>::max())
       throw bad_input(place, "type is too large", "a type of particles", fmt::format("{}", type));
-    particle.type = static_cast<int>(type);
   }
-  particle.position = {at(ParticleColumn::x), at(ParticleColumn::y)};
-  particle.radius = positive(at(ParticleColumn::radius), "radius", place);
-  particle.velocity = {at(ParticleColumn::vx), at(ParticleColumn::vy)};
-  particle.spin = at(ParticleColumn::omegaz);
-  particle.mass = at(ParticleColumn::mass);
-  if (given(ParticleColumn::mass)) positive(particle.mass, "mass", place);
-  return particle;
+  check_positive(at(ParticleColumn::radius), "radius", place);
+  if (given(ParticleColumn::mass)) check_positive(at(ParticleColumn::mass), "mass", place);
 }
 
 void PlaneCheck::add(double z, double radius, const Place& place) {

@@ -1,6 +1,8 @@
 // Particles of one dump frame.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,7 @@
 #include "io/dump_reader.h"
 #include "io/frame.h"
 #include "io/particle_columns.h"
+#include "io/row_parser.h"
 
 namespace mikromakro {
 
@@ -15,9 +18,40 @@ namespace mikromakro {
 inline constexpr ColumnSet particle_base_columns =
     column_set(ParticleColumn::x, ParticleColumn::y, ParticleColumn::radius);
 
+/// A whole number of a row, 0 where `given` has no such column.
+inline std::int64_t given_or_0(const ParticleSlots& slots, ColumnSet given, ParticleColumn column) {
+  return (given & column_bit(column)) != 0
+             ? static_cast<std::int64_t>(slots[static_cast<std::size_t>(column)])
+             : 0;
+}
+
+/// Throws what particle_of does.
+void check_particle(const ParticleSlots& slots, ColumnSet given, const Place& place);
+
+/// Whether it would throw nothing.
+inline bool is_sound(const ParticleSlots& slots, ColumnSet given) {
+  const auto lacks = [&](ParticleColumn column) { return (given & column_bit(column)) == 0; };
+  const auto at = [&](ParticleColumn column) { return slots[static_cast<std::size_t>(column)]; };
+  const auto counts = [&](ParticleColumn column) { return at(column) >= 1 && is_integer(at(column)); };
+  return (lacks(ParticleColumn::id) || counts(ParticleColumn::id)) &&
+         (lacks(ParticleColumn::type) ||
+          (counts(ParticleColumn::type) && at(ParticleColumn::type) <= std::numeric_limits<int>::max())) &&
+         at(ParticleColumn::radius) > 0 && (lacks(ParticleColumn::mass) || at(ParticleColumn::mass) > 0);
+}
+
 /// A particle from its numbers, nan where `given` has no such column (id and type 0). Throws: radius or mass
 /// <= 0, ids and types below 1 or not whole where they are given.
-Particle particle_of(const ParticleSlots& slots, ColumnSet given, const Place& place);
+inline Particle particle_of(const ParticleSlots& slots, ColumnSet given, const Place& place) {
+  const auto at = [&](ParticleColumn column) { return slots[static_cast<std::size_t>(column)]; };
+  if (!is_sound(slots, given)) check_particle(slots, given, place);
+  return {given_or_0(slots, given, ParticleColumn::id),
+          static_cast<int>(given_or_0(slots, given, ParticleColumn::type)),
+          {at(ParticleColumn::x), at(ParticleColumn::y)},
+          at(ParticleColumn::radius),
+          {at(ParticleColumn::vx), at(ParticleColumn::vy)},
+          at(ParticleColumn::omegaz),
+          at(ParticleColumn::mass)};
+}
 
 /// Throws where the z of particles (one after the other) is not the same within 1e-6 of a radius: averages
 /// are of the plane, and spheres above each other would count as overlapping discs.

@@ -274,10 +274,11 @@ void SnapshotReader::Packed::unpack_particles(RawFrame& frame) const {
   frame.particles.reserve(count);
   ParticleSlots empty;
   empty.fill(not_given);
-  std::vector<ParticleSlots> block;
+  // The columns that are there overwrite those of the block before.
+  std::vector<ParticleSlots> block(rows_of_block, empty);
   Place row{place, 0};
   for (std::size_t begin = 0; begin < count; begin += block.size()) {
-    block.assign(std::min(rows_of_block, count - begin), empty);
+    block.resize(std::min(rows_of_block, count - begin));
     fill_block(stripes, begin, std::span(block), place);
     for (const ParticleSlots& slots : block) {
       ++row.line;
