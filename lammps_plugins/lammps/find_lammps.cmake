@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Sets LAMMPS_LIBRARY (a file, or the target of an installed LAMMPS), LAMMPS_HEADERS and LAMMPS_SIZES (how wide its integers
 # are), and `lammps_missing` to what is missing. Pair styles with history need headers that an installed LAMMPS has or lacks,
 # Debian's lacks them: they come from a source tree of the same version.

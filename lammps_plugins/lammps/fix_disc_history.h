@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The engine's fix that keeps springs with the atoms, without a fault of its own.
 #pragma once
 

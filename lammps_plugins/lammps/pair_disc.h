@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // pair_style disc/linear|disc/hertz [tangential off|disc/viscous|disc/cundall_strack] [damping on|off]
 //                        [tangential_damping on|off] [limitForce on|off]; disc/hertz: [impact_velocity V]
 // pair_coeff I J kn K [gamman G] [kt K] [gammat G] [mu M]

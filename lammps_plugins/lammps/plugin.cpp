@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How LAMMPS gets to know the disc styles: the pair styles and, where a LAMMPS with PLUGIN loads this object,
 // everything else.
 #include <type_traits>

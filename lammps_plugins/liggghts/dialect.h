@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How LIGGGHTS spells what the styles need from an engine; lammps/dialect.h has the same names.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // LIGGGHTS 3.8 has no plugin command and keeps its tables of styles private or protected; naming a private
 // member in an explicit template instantiation is allowed by the standard ([temp.spec]), so no header has to
 // be altered.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // An error ends the run with one line. LIGGGHTS adds a joke to every fifth, from memory that it has freed, so
 // that the screen shows whatever bytes are there now; it does so where its version calls itself PUBLIC. And
 // what a rank other than the first has to say is lost.

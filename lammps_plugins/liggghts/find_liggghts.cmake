@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Sets LIGGGHTS_INCLUDE_DIR and LIGGGHTS_LIBRARY: the packaged ones, or those of a source tree with a shared library in it.
 set(LIGGGHTS_SOURCE_DIR "" CACHE PATH "Source tree of a LIGGGHTS whose shared library is built; the packaged LIGGGHTS where it is empty")
 if(NOT LIGGGHTS_SOURCE_DIR)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A restart file of a run under another law: its springs are not ours.
 #include <cstring>
 

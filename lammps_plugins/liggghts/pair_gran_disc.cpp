@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "pair_gran_disc.h"
 
 #include <cstring>

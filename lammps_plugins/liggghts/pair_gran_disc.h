@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // pair_style gran model disc/linear|disc/hertz tangential off|disc/viscous|disc/cundall_strack: the disc law
 // as LIGGGHTS asks for it. It parses the settings, fetches the material constants from `fix property/global`
 // and hands over the engine's pairs and its history of contacts.

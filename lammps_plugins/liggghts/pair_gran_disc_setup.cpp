@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Material constants and the entry into the engine's factories.
 #include <string>
 #include <utility>

@@ -1,4 +1,6 @@
-// Friction between a disc and the bottom that it lies on (docs/conventions.md; the seed's cell has a bottom).
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Friction between a disc and the bottom that it lies on (docs/conventions.md; the paper's cell has a
+// bottom).
 #pragma once
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The contact law for several pairs side by side, so that a compiler evaluates them at the same time:
 // geometry, square root, division and law of a single contact are one long chain of dependent operations.
 #pragma once

@@ -1,5 +1,6 @@
-// Duration and restitution of a head-on collision under the linear spring-dashpot law (seed 2.2 and 2.3), and
-// duration of an elastic one under Hertz's law.
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Duration and restitution of a head-on collision under the linear spring-dashpot law (Latzel2001 2.2
+// and 2.3), and duration of an elastic one under Hertz's law.
 #pragma once
 
 #include <cmath>
@@ -57,7 +58,7 @@ inline double hertz_tangent_stiffness(double k_h, double overlap) {
   return 1.5 * k_h * std::sqrt(overlap);
 }
 
-/// The rule of the seed (2.3): at least this many steps per contact.
+/// The rule of Latzel2001 2.3: at least this many steps per contact.
 inline constexpr double steps_per_contact = 50;
 
 /// Below this many steps per contact the integration is refused. Velocity Verlet of one undamped contact is

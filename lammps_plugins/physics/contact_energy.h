@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Energy that a contact stores (contact_law.h), and the power that it takes out of the motion.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The contact law of two discs (or of a disc and a wall) as one pure function: parameters and state in, force
 // and new spring out. Used by every engine, by walls and by the tests.
 //
@@ -23,7 +24,7 @@ enum class Normal {
 
 enum class Tangential {
   none,             // no tangential force
-  viscous_coulomb,  // seed Eq. 1
+  viscous_coulomb,  // Latzel2001 Eq. 1
   spring,           // Cundall-Strack spring
   damped_spring     // Cundall-Strack spring with a dashpot beside it
 };
@@ -81,7 +82,7 @@ constexpr double reduced_radius(double a_1, double a_2) {
 }
 
 /// Elastic part of the normal force: k_n overlap, or Hertz's k_n sqrt(a_12 overlap) overlap with the reduced
-/// radius a_12 (seed 2.2: ~ overlap^(3/2), for spheres k_n = 4/3 E* with 1/E* the sum of (1 - nu^2)/E).
+/// radius a_12 (Latzel2001 2.2: ~ overlap^(3/2), for spheres k_n = 4/3 E* with 1/E* the sum of (1 - nu^2)/E).
 template <Effects effects>
 double elastic_force(const ContactParameters& p, const ContactState& s) {
   if constexpr (effects.normal == Normal::linear) return p.normal_stiffness * s.overlap;
@@ -89,8 +90,8 @@ double elastic_force(const ContactParameters& p, const ContactState& s) {
   return p.normal_stiffness * std::sqrt(s.reduced_radius * std::abs(s.overlap)) * s.overlap;
 }
 
-/// Normal force f_n = elastic force [+ gamma_n v_n] (seed 2.2; with delta = -overlap), optionally without
-/// attraction.
+/// Normal force f_n = elastic force [+ gamma_n v_n] (Latzel2001 2.2; with delta = -overlap), optionally
+/// without attraction.
 template <Effects effects>
 double normal_force(const ContactParameters& p, const ContactState& s) {
   double f_n = elastic_force<effects>(p, s);
@@ -98,15 +99,16 @@ double normal_force(const ContactParameters& p, const ContactState& s) {
   return effects.no_attraction ? std::max(f_n, 0.0) : f_n;
 }
 
-/// Viscous force limited by Coulomb friction, seed Eq. 1: f_t = -min(gamma_t |v_t|, mu |f_n|) sign(v_t).
+/// Viscous force limited by Coulomb friction, Latzel2001 Eq. 1: f_t = -min(gamma_t |v_t|, mu |f_n|)
+/// sign(v_t).
 inline double viscous_coulomb_force(const ContactParameters& p, double v_t, double f_n) {
   const double cap = p.friction * std::abs(f_n);
   return std::clamp(-p.tangential_damping * v_t, -cap, cap);
 }
 
-/// Cundall-Strack spring (seed 2.2, as pinned in docs/conventions.md): xi grows by the slip; the trial force
-/// -k_t xi [- gamma_t v_t] holds up to mu |f_n|; beyond it the force slides at the cap and the spring is set
-/// to what the cap leaves for it, never longer than the cap allows.
+/// Cundall-Strack spring (Latzel2001 2.2, as pinned in docs/conventions.md): xi grows by the slip; the trial
+/// force -k_t xi [- gamma_t v_t] holds up to mu |f_n|; beyond it the force slides at the cap and the spring
+/// is set to what the cap leaves for it, never longer than the cap allows.
 template <Effects effects>
 ContactForce spring_force(const ContactParameters& p, const ContactState& s, double f_n, double slip,
                           double compliance) {

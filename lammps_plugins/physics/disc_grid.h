@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Square cells over a rectangle that find the discs near a point, for placing discs without overlaps.
 #pragma once
 

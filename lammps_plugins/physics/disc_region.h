@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Regions of the plane that can be filled with discs: a ring between two circles or a rectangle.
 #pragma once
 

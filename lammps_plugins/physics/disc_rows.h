@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a pair loop reads and writes of discs, as rows that lie side by side in memory and are moved four
 // numbers at a time.
 #pragma once

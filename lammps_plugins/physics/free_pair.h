@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Two discs that meet in free flight: the contact law in the time steps of fix nve/disc, without an engine.
 // With it the error of a time step is measured.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A smooth way from one value to another: z(t) = z_f + (z_0 - z_f)/2 (1 + cos(pi t/T)) for t < T, then z_f.
 // The rate is zero at both ends, so that a wall that is moved neither hits nor leaves the discs at once.
 #pragma once

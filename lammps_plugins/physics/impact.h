@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The impact of two equal discs, and the error that a time step makes in it, averaged over the phases of
 // first contact and of release within a step.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // 1/sqrt without the processor's divider.
 #pragma once
 

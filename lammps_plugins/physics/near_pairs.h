@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Pairs of discs that may touch before the discs have moved by a small part of the neighbour list's skin,
 // with their springs: what a pair loop goes through in every step.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Random sequential placement of discs without overlaps: each disc is tried at uniformly random positions
 // until it touches nothing, large discs first, because they find their place least easily. Deterministic from
 // the seed on every platform: the distributions of the standard library differ between its implementations,

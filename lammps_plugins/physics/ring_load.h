@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the discs of a cell do to one of its rings: torque about the centre and radial force, summed over the
 // wall discs of the ring.
 #pragma once

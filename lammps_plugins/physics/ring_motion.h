@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Prescribed motion of a ring of wall discs: rotation at a constant rate about a fixed centre and a radius
 // that may change smoothly from one value to another.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A wall with a mass of its own that discs and an outer load push: m x'' = F - gamma x', by velocity Verlet.
 // F is the force of the same instant as the position, gamma x' is solved for the velocity of that instant,
 // too, so that the error is of order dt^2 whatever gamma is.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Smooth walls, flat or along a circle, and their contact with a disc under the law of two discs
 // (contact_law.h). The disc is particle 1, the wall its partner of infinite mass.
 //

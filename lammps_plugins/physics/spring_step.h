@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How far a tangential spring is stretched in one time step, and the slip rate that goes with it from step to
 // step: for pairs of discs, in batches or alone, and for discs at walls.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Time since a motion began, counted in whole steps so that no rounding error is summed up, whatever the
 // number of steps. The time step may change: the clock then starts a new count at the step where it changed.
 #pragma once

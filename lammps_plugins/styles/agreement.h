@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What several fixes say of one thing has to be the same.
 #pragma once
 

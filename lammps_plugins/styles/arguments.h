@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Reads the arguments of a style in an input script one by one. What does not fit ends the run on all ranks
 // with one line: the style, the argument, what was expected and what was found.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The arguments of fix biaxial/2d, and of fix_modify on it.
 #pragma once
 

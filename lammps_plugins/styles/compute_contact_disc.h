@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // compute contact/disc: one row for each contact, with the forces that were applied in the step.
 #pragma once
 

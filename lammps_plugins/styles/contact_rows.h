@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The contacts of a step as rows, from the pair style and from every fix with walls, for all that hands them
 // on: compute contact/disc, snapshots, averages taken in the run.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "couette_settings.h"
 
 #include "atom.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix couette/2d with smooth rings: walls along the circles.
 #include "fix_couette_2d.h"
 

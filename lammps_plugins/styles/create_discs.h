@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // create_discs ring X Y R1 R2 seed S density RHO FILLING... [velocity VMAX] [gap G]
 // create_discs box XLO XHI YLO YHI seed S density RHO FILLING... [velocity VMAX] [gap G]
 //   FILLING = discs N TYPE RADIUS | uniform N TYPE RMIN RMAX, one or more

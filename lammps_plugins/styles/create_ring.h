@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // create_ring X Y R {pitch P | number N} type T radius A density RHO [phase PHI]
 //
 // Places equally spaced wall discs with their centres on the circle of radius R (m) about (X, Y) (m): number

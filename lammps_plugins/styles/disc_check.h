@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What is looked at once for all discs, at the start of a run.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Inserts new discs into the running engine: every rank has the same list and takes what lies in its part
 // of the box, so that ids and positions do not depend on the number of ranks.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The contact law of a pair style: settings, constants, and one evaluation.
 #include "disc_law.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The contact law of an engine's pair style: everything of it that engines have in common. An engine's own
 // class parses what its scripts look like, fetches material constants and hands over neighbour lists and
 // springs; this one loops over the pairs in two dimensions and adds forces and torques. The arithmetic of the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The pair loop of the disc law: one instance for each combination of effects, each plain and observed.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What waits in rows beside the engine's arrays, how far discs have moved, and how it all gets into the
 // engine.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a run simulates and what it leaves out, as one line for screen and log.
 #pragma once
 

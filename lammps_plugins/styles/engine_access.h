@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the styles ask of an engine, and LIGGGHTS and LAMMPS answer differently: implemented once for each.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # engine_library(NAME STATIC|SHARED SOURCE...): a library of the styles for one engine, of which the caller's folder holds
 # dialect.h and the sources that it has for itself. A library, so that tests can hold an engine of their own in the process.
 configure_file(${CMAKE_CURRENT_LIST_DIR}/version.h.in ${CMAKE_CURRENT_BINARY_DIR}/generated/mikromakro_version.h @ONLY)

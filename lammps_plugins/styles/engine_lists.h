@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Fixes and computes in the order of the script, however the engine keeps them.
 #pragma once
 

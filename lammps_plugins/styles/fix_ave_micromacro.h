@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix ID group ave/micromacro Nevery Nfreq file NAME [file NAME ...] OPTIONS
 //
 // The averages of `mikromakro average`, taken while the run goes on: in every step that is a multiple of

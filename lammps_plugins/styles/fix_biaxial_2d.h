@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix ID group biaxial/2d type T left X CONTROL right X CONTROL bottom Y CONTROL top Y CONTROL [height H]
 //
 // Four smooth flat walls that always form a rectangle around the discs of the group: each moves along its

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix biaxial/2d: how its walls begin to move otherwise, what it checks, and what restart files hold.
 #include <mpi.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix bottom/friction: discs that slide on the bottom of the cell.
 #pragma once
 

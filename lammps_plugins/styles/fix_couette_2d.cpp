@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_couette_2d.h"
 
 #include <mpi.h>

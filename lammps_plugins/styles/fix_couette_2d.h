@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix ID group couette/2d center X Y inner RING outer RING omega_inner W
 //                        [omega_outer W] [compact R_END TIME] [height H]
 // RING: rough GROUP R  or  smooth TYPE R

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix couette/2d: what it checks, and what it stores per atom and in restart files.
 #include <mpi.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix ID group energy/disc
 //
 // The energy of discs and what contacts turn into heat, from the contact rows of every step (contact_rows.h):

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix nve/disc: velocity Verlet for x, y and the spin about z of discs; what is not in the plane is left
 // alone.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix nve/disc: what it stores per atom and in restart files, and how a run goes on where the last one ended.
 #include <cstring>
 

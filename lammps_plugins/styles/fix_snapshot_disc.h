@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix ID group snapshot/disc N file NAME.h5 [append yes|no] [start yes|no] [height H]
 //
 // In every step that is a multiple of N the discs of the group, their contacts (columns of contact_rows.h)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix ID group wall/disc type T plane NX NY OFFSET         [move vx VX vy VY]
 // fix ID group wall/disc type T circle X Y R inside/outside [move vx VX vy VY] [rotate OMEGA]
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What fixes with smooth walls have in common: the springs of the discs at them go with the atoms, to other
 // ranks and into restart files.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The discs and contacts of all ranks as one frame, as postproc reads it from a file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The forces of the last step, with which the next run goes on.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // liggghts-disc and lmp-disc: the packaged engine with the disc styles; same command line as the engine's
 // own.
 #include <mpi.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Files that a run writes: what one output writes, another one would replace.
 #pragma once
 

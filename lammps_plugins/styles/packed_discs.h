@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The discs as rows side by side, shared by the pair style that evaluates contacts and the fixes that move
 // discs.
 //

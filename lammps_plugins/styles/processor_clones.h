@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // FOR_EACH_PROCESSOR: the function is compiled for AVX-512, for AVX2 and for any x86-64, and the processor
 // decides; its file is compiled without fused multiply-add, so that all give the same. Clang does not clone
 // templates, and other processors have one set of instructions for all.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a run simulates, as its snapshots say it.
 #pragma once
 

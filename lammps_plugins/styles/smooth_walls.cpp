@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "smooth_walls.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The smooth walls of a fix as partners of discs: which discs are near, their springs, and the forces.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What stands beside the engine's base class of a style has to promise as much as it does.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Compares the time step with the shortest contact that the discs at hand can make.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Forces on discs that are in none of our outputs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "walls_of_restart.h"
 
 #include <utility>

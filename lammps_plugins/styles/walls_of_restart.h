@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a restart file holds for fixes that the script does not define again.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The balances that an audit ends with: as lines, as JSON, against a bound.
 #pragma once
 

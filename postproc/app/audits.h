@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The audits that `mikromakro audit` chooses from. Each prints its table and gives back its balances.
 #pragma once
 

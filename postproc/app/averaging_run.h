@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // One pass over the frames of the input: shared out among threads and ranks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What an audit of a box has found, as text and as JSON.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The verbs of the program: each adds its options to the command line and gives back what to do when it is
 // chosen.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Whether there is anything in what was asked for: types and volumes that hold no disc.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // mikromakro: continuum fields from discs and contacts.
 #include <fmt/format.h>
 #include <malloc.h>

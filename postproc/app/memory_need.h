@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Averages that would not fit into the memory of the machine.
 #pragma once
 

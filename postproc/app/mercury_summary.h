@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What `info` tells of MercuryDPM's files.
 #pragma once
 

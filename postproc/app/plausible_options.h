@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What options say beside what the frames show: numbers in other units, or of other runs. What a few discs do
 // not show is looked for from 20 discs or contacts on.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Thickness and stiffness as snapshot files of runs hold them.
 #pragma once
 

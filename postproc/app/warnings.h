@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Warnings: what the reading has noted, told to the user.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "audit/box_balance.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What walls do to the discs between them, beside what goes on inside: balances of a box.
 #pragma once
 

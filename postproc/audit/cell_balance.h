@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Balance of momentum over the cells of a grid.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the contacts of snapshots say at once: torque on the wheel, and how far discs are from equilibrium.
 #pragma once
 

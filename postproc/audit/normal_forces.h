@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Normal forces between discs beside what their overlaps let expect.
 #pragma once
 

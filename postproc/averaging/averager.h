@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // From discs and contacts to fields: the only loop over discs.
 #pragma once
 
@@ -12,9 +13,9 @@
 
 namespace mikromakro {
 
-/// Where the branch vector of a contact ends: l = a_p n as in the seed, or at the contact point in the middle
-/// of the overlap. By the weight: radius, but contact for kernels, so that both branches of a contact meet
-/// and momentum balances.
+/// Where the branch vector of a contact ends: l = a_p n as in Latzel2001, or at the contact point in the
+/// middle of the overlap. By the weight: radius, but contact for kernels, so that both branches of a contact
+/// meet and momentum balances.
 enum class Branch { by_weight, radius, contact };
 
 /// Which discs are averaged, and how.

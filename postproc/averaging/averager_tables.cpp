@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What an averager makes of mean sums, and what it needs to make them.
 #include <algorithm>
 

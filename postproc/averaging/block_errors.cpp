@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "averaging/block_errors.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Standard errors of solved quantities from block averages.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "averaging/block_table.h"
 
 #include <fmt/format.h>

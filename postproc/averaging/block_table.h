@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What fits of averaged columns need for their errors: the columns as they would be without a block of
 // frames.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How far averages over the same region lie apart.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Integrated correlation time of series that are alike, with its uncertainty.
 #pragma once
 
@@ -32,8 +33,8 @@ struct CorrelationTime {
 /// to the variance of their series, are averaged over all series (rho'), and what taking off the mean takes
 /// from them is given back: with N_k pairs at the lag k, H_0 = N_0 = n, H_k = 2 N_k and the variance of the
 /// mean V = sum H_k C_k/n^2, the products have the expectation C_k - V but for edges, so that C_k = rho'_k +
-/// V with V = sum H_k rho'_k/n^2/(1 - sum H_k/n^2) and 2 tau = n V/C_0 (Sokal, Monte Carlo methods in
-/// statistical mechanics, 1989; Wolff, Comput. Phys. Commun. 156, 143 (2004), Eq. 49). Since the variance of
+/// V with V = sum H_k rho'_k/n^2/(1 - sum H_k/n^2) and 2 tau = n V/C_0 (Sokal1989;
+/// Wolff2004 Eq. 49). Since the variance of
 /// each series is known from itself only, 2 tau comes out smaller by 2 (2 tau - sum rho_k^2)/n, relative; it
 /// is divided by that.
 ///
@@ -43,10 +44,9 @@ struct CorrelationTime {
 /// One series knows 2 tau to (2/n) sum_j h_j^2/(2 tau)^2, relative variance, h_j = sum_{|k| <= W} rho_(j-k) -
 /// 2 tau rho_j (Bartlett). All of them know it as `independent_series` do, from the mean square of the
 /// correlations between series. Where their own values scatter by more than that, each keeps of its own value
-/// what the scatter is worth beside the uncertainty (empirical Bayes as in Smyth, Stat. Appl. Genet. Mol.
-/// Biol. 3, 3 (2004)); the rest of the scatter is not told. 2 tau is never below 1. A series that goes on
-/// fluctuating slowly behind the window, by four standard errors more than all do, has none (nan): a slow one
-/// among many fast ones.
+/// what the scatter is worth beside the uncertainty (empirical Bayes as in Smyth2004); the rest of the
+/// scatter is not told. 2 tau is never below 1. A series that goes on fluctuating slowly behind the window,
+/// by four standard errors more than all do, has none (nan): a slow one among many fast ones.
 CorrelationTime correlation_time(Rows series, const std::vector<std::int64_t>& runs);
 
 }  // namespace mikromakro

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Area that a disc and a circle have in common, to rounding of the disc's area.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Parts of a disc's area cut off at corners: what exact areas in rectangles and sectors are made of.
 #pragma once
 

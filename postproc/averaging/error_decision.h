@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Whether a field has errors, and how wide they are.
 #pragma once
 
@@ -37,8 +38,8 @@ ErrorDecision decide(const CorrelationTime& correlation, double count);
 double student_width(double freedom);
 
 /// The same for samples that are skewed: quantiles x of Student's t become wider by g^2 (x^4 + 2 x^2 -
-/// 3)/18/n, relative, with the skewness g (P. Hall, The Bootstrap and Edgeworth Expansion, 1992, on Student's
-/// t); g^2 of n samples is too small by (n - 2)^2/n/(n - 1).
+/// 3)/18/n, relative, with the skewness g (Hall1992 on Student's t); g^2 of n samples is too small by (n -
+/// 2)^2/n/(n - 1).
 double skewed_width(double square_skewness, double samples);
 
 }  // namespace mikromakro

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Coarse-graining kernels: radially symmetric functions of the plane with the integral 1.
 #pragma once
 
@@ -91,10 +92,9 @@ class PolynomialKernel : public Kernel {
   Coefficients part_;  // e_k = 2 pi c_k/(k + 2)
 };
 
-/// 5/pi (1 + 3 q)(1 - q)^3, L. B. Lucy, Astronomical Journal 82 (1977) 1013.
+/// 5/pi (1 + 3 q)(1 - q)^3 (Lucy1977).
 PolynomialKernel::Coefficients lucy();
-/// 7/pi (1 + 4 q)(1 - q)^4, H. Wendland, Advances in Computational Mathematics 4 (1995) 389: the one with two
-/// continuous derivatives.
+/// 7/pi (1 + 4 q)(1 - q)^4 (Wendland1995): the one with two continuous derivatives.
 PolynomialKernel::Coefficients wendland();
 
 }  // namespace mikromakro

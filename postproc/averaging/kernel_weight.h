@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Coarse-graining kernels as weights.
 #pragma once
 
@@ -13,8 +14,7 @@ namespace mikromakro {
 ///   w^p = integral over V of W(x - x_p) dA,
 /// so that sums w^p V^p Q^p/V are averages of sum_p W(x - x_p) V^p Q^p. A contact whose force is carried by a
 /// branch b counts by its line integral, int_0^1 w(x_p + s b) ds, with w the share of a point: divergence of
-/// stress and contact forces then balance (I. Goldhirsch, Granular Matter 12 (2010) 239; T. Weinhart, A.
-/// Thornton, S. Luding, O. Bokhove, Granular Matter 14 (2012) 289). The line integral is taken by five
+/// stress and contact forces then balance (Goldhirsch2010, Weinhart2012). The line integral is taken by five
 /// Gauss-Legendre points on each Kernel::branch_piece: to 1e-8.
 class KernelWeight : public Weight {
  public:

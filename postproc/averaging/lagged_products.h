@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Products of values of series that stand some time apart.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Sums of frames on several threads, in the order of the frames.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Quadrature of what is inside of a kernel, along a line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Where discs and contacts are once more: their images through the periodic boundaries of the box.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A function of one number as a table of polynomials.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The ranks of a run under mpirun: the only place that knows MPI.
 #pragma once
 

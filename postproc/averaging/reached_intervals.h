@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Which intervals between ascending edges something reaches into.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Frames that are in several runs, whatever files they were read from.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The volumes in which a place counts, with their shares.
 #pragma once
 

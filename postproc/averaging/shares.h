@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How places count in certain volumes.
 #pragma once
 
@@ -18,7 +19,7 @@ class Shares {
 
   /// The distance from its centre (m) at which a disc of this radius may still count.
   virtual double reach(double radius) const = 0;
-  /// w^p of seed Eq. 4 of a disc.
+  /// w^p of Latzel2001 Eq. 4 of a disc.
   virtual void of_disc(const Eigen::Vector2d& centre, double radius, ShareSums& shares) const = 0;
 
   /// Whether points and branches have shares of their own. Otherwise contacts count as their disc does, and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Mean of the sums over frames, and over blocks of frames.
 #pragma once
 

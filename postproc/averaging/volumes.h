@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The volumes over which is averaged: one of the three independent choices (volumes, weight, fields).
 #pragma once
 

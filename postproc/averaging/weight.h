@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How a disc counts in the volumes: one of the three independent choices (volumes, weight, fields).
 #pragma once
 
@@ -9,7 +10,7 @@
 
 namespace mikromakro {
 
-/// w^p of seed Eq. 4.
+/// w^p of Latzel2001 Eq. 4.
 class Weight {
  public:
   Weight() = default;

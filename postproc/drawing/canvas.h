@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A sheet to draw on, which becomes a PNG or SVG file.
 #pragma once
 

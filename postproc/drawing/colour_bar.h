@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The scale of the colours beside a picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What discs can be coloured by.
 #pragma once
 
@@ -27,8 +28,8 @@ const QuantityInfo& disc_quantity(const std::string& name);
 std::vector<std::string_view> disc_quantity_names();
 
 /// The quantity of each disc, in the order of the frame. SI units.
-/// pressure: p = -tr(sigma^p)/2 with sigma^p = 1/V^p sum_c l^pc f^pc (seed Eq. 15), l = a_p n, V^p = pi a^2
-/// h; > 0 when pressed.
+/// pressure: p = -tr(sigma^p)/2 with sigma^p = 1/V^p sum_c l^pc f^pc (Latzel2001 Eq. 15), l = a_p n, V^p = pi
+/// a^2 h; > 0 when pressed.
 std::vector<double> disc_values(const Frame& frame, DiscQuantity quantity, double height);
 
 }  // namespace mikromakro

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A frame as a picture: discs coloured by a quantity, contact network, force chains, scales.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Round numbers and units for scales that people read.
 #pragma once
 

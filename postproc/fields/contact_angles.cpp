@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/contact_angles.h"
 
 #include <fmt/format.h>
@@ -20,10 +21,13 @@ double angle_of(const DiscContact& contact) {
 
 std::vector<Column> ContactAngles::columns(const Axes& axes) const {
   const std::string from = ", counter-clockwise from e_" + axes[0];
-  return {{"contact_angle_h2_amplitude", "1", "seed Bild 6", "a_2 of the density of contact directions"},
-          {"contact_angle_h2_angle", "degree", "seed Bild 6", "its direction" + from + ", in (-90, 90]", 180},
-          {"contact_angle_h4_amplitude", "1", "seed Bild 6", "a_4 of the density of contact directions"},
-          {"contact_angle_h4_angle", "degree", "seed Bild 6", "its direction" + from + ", in (-45, 45]", 90}};
+  return {
+      {"contact_angle_h2_amplitude", "1", "Latzel2001 Bild 6", "a_2 of the density of contact directions"},
+      {"contact_angle_h2_angle", "degree", "Latzel2001 Bild 6", "its direction" + from + ", in (-90, 90]",
+       180},
+      {"contact_angle_h4_amplitude", "1", "Latzel2001 Bild 6", "a_4 of the density of contact directions"},
+      {"contact_angle_h4_angle", "degree", "Latzel2001 Bild 6", "its direction" + from + ", in (-45, 45]",
+       90}};
 }
 
 void ContactAngles::add_contacts(const Disc& disc, std::span<const DiscContact> contacts,
@@ -58,7 +62,7 @@ std::vector<Column> ContactAngleHistogram::columns(const Axes& axes) const {
   std::vector<Column> columns;
   for (int i = 0; i < bins_; ++i) {
     const double width = 360.0 / bins_;
-    columns.push_back({fmt::format("contact_angle_bin_{}", i + 1), "1", "seed Bild 6",
+    columns.push_back({fmt::format("contact_angle_bin_{}", i + 1), "1", "Latzel2001 Bild 6",
                        fmt::format("part of the contacts with directions from {:g} to {:g} degrees from e_{}",
                                    -180 + i * width, -180 + (i + 1) * width, axes[0])});
   }

@@ -1,4 +1,5 @@
-// Distribution of the contact directions (seed, Bild 6).
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Distribution of the contact directions (Latzel2001 Bild 6).
 #pragma once
 
 #include "fields/field.h"

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/coordination.h"
 
 namespace mikromakro {
 
 std::vector<Column> Coordination::columns(const Axes& /*axes*/) const {
-  return {{"coordination", "1", "seed Eq. 10", "contacts per disc, weighted by volume"}};
+  return {{"coordination", "1", "Latzel2001 Eq. 10", "contacts per disc, weighted by volume"}};
 }
 
 void Coordination::add_disc(const Disc& disc, std::span<double> quantity) const {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Coordination number, weighted by volume.
 #pragma once
 
@@ -6,7 +7,7 @@
 namespace mikromakro {
 
 /// C = sum_p w^p V^p C^p / sum_p w^p V^p with C^p the number of contacts of disc p; so that tr F = nu C
-/// identically (seed Eq. 10 with g_2 = 1). nan where there is no disc.
+/// identically (Latzel2001 Eq. 10 with g_2 = 1). nan where there is no disc.
 class Coordination : public Field {
  public:
   std::string_view name() const override { return "coordination"; }

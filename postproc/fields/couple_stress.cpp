@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/couple_stress.h"
 
 #include "fields/cross_product.h"
@@ -5,8 +6,8 @@
 namespace mikromakro {
 
 std::vector<Column> CoupleStress::columns(const Axes& axes) const {
-  return {{"M_z" + axes[0], "N/m", "seed Table 2", "couple stress"},
-          {"M_z" + axes[1], "N/m", "seed Table 2", "couple stress"}};
+  return {{"M_z" + axes[0], "N/m", "Latzel2001 Table 2", "couple stress"},
+          {"M_z" + axes[1], "N/m", "Latzel2001 Table 2", "couple stress"}};
 }
 
 void CoupleStress::add_contacts(const Disc& /*disc*/, std::span<const DiscContact> contacts,

@@ -1,11 +1,12 @@
-// Couple stress (seed Table 2).
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Couple stress (Latzel2001 Table 2).
 #pragma once
 
 #include "fields/volume_sum.h"
 
 namespace mikromakro {
 
-/// M = 1/V sum_p w^p sum_c (l x f) (x) l, N/m (seed Table 2): M_zr, M_zphi.
+/// M = 1/V sum_p w^p sum_c (l x f) (x) l, N/m (Latzel2001 Table 2): M_zr, M_zphi.
 class CoupleStress : public VolumeSum {
  public:
   std::string_view name() const override { return "couple_stress"; }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The z component of a cross product in the plane.
 #pragma once
 

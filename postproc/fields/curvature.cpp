@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/curvature.h"
 
 #include <cmath>
@@ -27,7 +28,8 @@ bool has_springs(const ConstRowsRef& numbers) {
 
 std::vector<Column> Curvature::columns(const Axes& axes) const {
   const std::string text = "curvature; its displacement is named in the note above";
-  return {{"kappa_z" + axes[0], "m", "seed Table 2", text}, {"kappa_z" + axes[1], "m", "seed Table 2", text}};
+  return {{"kappa_z" + axes[0], "m", "Latzel2001 Table 2", text},
+          {"kappa_z" + axes[1], "m", "Latzel2001 Table 2", text}};
 }
 
 int Curvature::sums() const {

@@ -1,11 +1,12 @@
-// Curvature (seed Table 2).
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Curvature (Latzel2001 Table 2).
 #pragma once
 
 #include "fields/field.h"
 
 namespace mikromakro {
 
-/// kappa = (sum_p w^p sum_c (l x Delta) (x) l) (sum_p w^p sum_c l (x) l)^-1, m (seed Table 2, with the
+/// kappa = (sum_p w^p sum_c (l x Delta) (x) l) (sum_p w^p sum_c l (x) l)^-1, m (Latzel2001 Table 2, with the
 /// dimension that it has there): kappa_zr, kappa_zphi. The normal part of Delta has no torque about the
 /// centre; the tangential one is that along the elastic tangential force on the disc, Delta_t = -xi t where
 /// the law has a spring (any xi in the dumps is not 0), else f_t/k_n. note() says which was used. nan where F

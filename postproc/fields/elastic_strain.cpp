@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/elastic_strain.h"
 
 #include "fields/branch_dyad.h"
@@ -10,8 +11,8 @@ constexpr int displacement_sums = 4;
 }  // namespace
 
 std::vector<Column> ElasticStrain::columns(const Axes& axes) const {
-  return tensor_columns("eps", axes,
-                        {"", "1", "seed Eq. 20", "elastic displacement gradient, compression negative"});
+  return tensor_columns(
+      "eps", axes, {"", "1", "Latzel2001 Eq. 20", "elastic displacement gradient, compression negative"});
 }
 
 int ElasticStrain::sums() const {

@@ -1,4 +1,5 @@
-// Elastic displacement gradient (seed Eq. 20).
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Elastic displacement gradient (Latzel2001 Eq. 20).
 #pragma once
 
 #include "fields/field.h"
@@ -6,9 +7,9 @@
 namespace mikromakro {
 
 /// eps = (sum_p w^p sum_c Delta (x) l) (sum_p w^p sum_c l (x) l)^-1, dimensionless: the least-squares fit of
-/// eps l to the contact displacements Delta = delta n = -overlap n of all contacts of all frames (seed Eqs.
-/// 17-20; with l = a_p n the second sum is V/(pi h) F). Compression is negative. The full overlap counts, as
-/// in the seed: isotropic compression gives eps = -overlap/a. nan where F is singular.
+/// eps l to the contact displacements Delta = delta n = -overlap n of all contacts of all frames (Latzel2001
+/// Eqs. 17-20; with l = a_p n the second sum is V/(pi h) F). Compression is negative. The full overlap
+/// counts, as in Latzel2001: isotropic compression gives eps = -overlap/a. nan where F is singular.
 class ElasticStrain : public Field {
  public:
   std::string_view name() const override { return "elastic_strain"; }

@@ -1,11 +1,12 @@
-// Fabric tensor (seed Table 1).
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Fabric tensor (Latzel2001 Table 1).
 #pragma once
 
 #include "fields/volume_sum.h"
 
 namespace mikromakro {
 
-/// F = 1/V sum_p w^p V^p sum_c n^c (x) n^c, dimensionless (seed Table 1 in Eq. 4).
+/// F = 1/V sum_p w^p V^p sum_c n^c (x) n^c, dimensionless (Latzel2001 Table 1 in Eq. 4).
 class Fabric : public VolumeSum {
  public:
   std::string_view name() const override { return "fabric"; }

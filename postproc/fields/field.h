@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What an averaged quantity is: sums over discs and their contacts, and what is solved from them.
 #pragma once
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/number_coordination.h"
 
 namespace mikromakro {
 
 std::vector<Column> NumberCoordination::columns(const Axes& /*axes*/) const {
-  return {{"coordination_number_averaged", "1", "seed Eq. 10", "contacts per disc, weighted by number"}};
+  return {
+      {"coordination_number_averaged", "1", "Latzel2001 Eq. 10", "contacts per disc, weighted by number"}};
 }
 
 void NumberCoordination::add_disc(const Disc& disc, std::span<double> quantity) const {

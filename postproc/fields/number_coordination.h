@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Coordination number, weighted by number.
 #pragma once
 
@@ -6,7 +7,7 @@
 namespace mikromakro {
 
 /// C = sum_p w^p C^p / sum_p w^p: mean number of contacts of a disc, each disc counted by its part in the
-/// volume. It is the C of tr F = g_2 nu C (seed Eq. 10). nan where there is no disc.
+/// volume. It is the C of tr F = g_2 nu C (Latzel2001 Eq. 10). nan where there is no disc.
 class NumberCoordination : public Field {
  public:
   std::string_view name() const override { return "coordination_number_averaged"; }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Trace, deviator and principal axes of a tensor field.
 #pragma once
 
@@ -5,10 +6,11 @@
 
 namespace mikromakro {
 
-/// Of a tensor T of another field: tr_T; dev_T = T_max - T_min (not halved, seed Bild 7 b and 8 b); angle_T,
-/// the direction of the major axis, counter-clockwise from e_r in degrees, in (-90, 90]; the principal values
-/// T_major and T_minor. All of the symmetric part. The major axis is that of the largest compression for
-/// stress and strain, that of the largest value for the fabric. Angle nan where T is isotropic.
+/// Of a tensor T of another field: tr_T; dev_T = T_max - T_min (not halved, Latzel2001 Bild 7 b and 8 b);
+/// angle_T, the direction of the major axis, counter-clockwise from e_r in degrees, in (-90, 90]; the
+/// principal values T_major and T_minor. All of the symmetric part. The major axis is that of the largest
+/// compression for stress and strain, that of the largest value for the fabric. Angle nan where T is
+/// isotropic.
 class PrincipalAxes : public Field {
  public:
   /// The field with the tensor, the tensor's symbol in column names, and its unit.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Discs that carry no load.
 #pragma once
 
@@ -6,7 +7,7 @@
 namespace mikromakro {
 
 /// Part of the discs, by number, with fewer than two contacts: one contact alone can not be balanced. (The
-/// parts by volume are 1 - nu_m/nu, seed Bild 4.) nan where there is no disc.
+/// parts by volume are 1 - nu_m/nu, Latzel2001 Bild 4.) nan where there is no disc.
 class Rattlers : public Field {
  public:
   std::string_view name() const override { return "rattler_fraction"; }

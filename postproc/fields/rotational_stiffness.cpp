@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/rotational_stiffness.h"
 
 namespace mikromakro {
 
 std::vector<Column> RotationalStiffness::columns(const Axes& /*axes*/) const {
-  return {{"mu_c", "Pa", "seed Bild 12", "rotational stiffness M.kappa/kappa.kappa"}};
+  return {{"mu_c", "Pa", "Latzel2001 Bild 12", "rotational stiffness M.kappa/kappa.kappa"}};
 }
 
 void RotationalStiffness::solve(const VolumeData& /*volumes*/, const ConstRowsRef& numbers,

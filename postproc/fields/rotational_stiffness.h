@@ -1,4 +1,5 @@
-// Rotational stiffness (seed, Bild 12).
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Rotational stiffness (Latzel2001 Bild 12).
 #pragma once
 
 #include "fields/field.h"
@@ -6,7 +7,7 @@
 namespace mikromakro {
 
 /// mu_c = M.kappa/kappa.kappa, Pa: the least-squares quotient of couple stress and curvature over their two
-/// components (the seed's 'quotient of the components', in one number). nan where kappa is 0 or undefined.
+/// components (the paper's 'quotient of the components', in one number). nan where kappa is 0 or undefined.
 class RotationalStiffness : public Field {
  public:
   std::string_view name() const override { return "rotational_stiffness"; }

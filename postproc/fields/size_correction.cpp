@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/size_correction.h"
 
 #include <cmath>
@@ -6,8 +7,8 @@
 namespace mikromakro {
 
 std::vector<Column> SizeCorrection::columns(const Axes& /*axes*/) const {
-  return {{"g2", "1", "seed Eq. 10", "<a^2/Omega>/(<a^2><1/Omega>)"},
-          {"g2_linear", "1", "seed Eq. 10", "its linear form, from <a>, <a^2>, <a^3>"}};
+  return {{"g2", "1", "Latzel2001 Eq. 10", "<a^2/Omega>/(<a^2><1/Omega>)"},
+          {"g2_linear", "1", "Latzel2001 Eq. 10", "its linear form, from <a>, <a^2>, <a^3>"}};
 }
 
 void SizeCorrection::add_disc(const Disc& disc, std::span<double> quantity) const {

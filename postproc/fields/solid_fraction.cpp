@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/solid_fraction.h"
 
 #include <cmath>
@@ -5,10 +6,10 @@
 namespace mikromakro {
 
 std::vector<Column> SolidFraction::columns(const Axes& /*axes*/) const {
-  return {{"nu", "1", "seed Eq. 3", "solid fraction of all averaged discs"},
-          {"nu_1", "1", "seed Eq. 3", "solid fraction of discs with at least 1 contact"},
-          {"nu_2", "1", "seed Eq. 3", "solid fraction of discs with at least 2 contacts"},
-          {"nu_3", "1", "seed Eq. 3", "solid fraction of discs with at least 3 contacts"}};
+  return {{"nu", "1", "Latzel2001 Eq. 3", "solid fraction of all averaged discs"},
+          {"nu_1", "1", "Latzel2001 Eq. 3", "solid fraction of discs with at least 1 contact"},
+          {"nu_2", "1", "Latzel2001 Eq. 3", "solid fraction of discs with at least 2 contacts"},
+          {"nu_3", "1", "Latzel2001 Eq. 3", "solid fraction of discs with at least 3 contacts"}};
 }
 
 void SolidFraction::add_disc(const Disc& disc, std::span<double> quantity) const {

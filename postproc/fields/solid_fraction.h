@@ -1,5 +1,6 @@
-// Solid fraction nu (seed Eq. 3) and nu_1, nu_2, nu_3 of the discs with at least 1, 2, 3 contacts (seed, Bild
-// 4).
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Solid fraction nu (Latzel2001 Eq. 3) and nu_1, nu_2, nu_3 of the discs with at least 1, 2, 3 contacts
+// (Latzel2001 Bild 4).
 #pragma once
 
 #include "fields/volume_sum.h"

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/spin.h"
 
 namespace mikromakro {
 
 std::vector<Column> Spin::columns(const Axes& /*axes*/) const {
-  return {{"spin", "rad/s", "seed Eq. 4", "mean angular velocity, counter-clockwise positive"}};
+  return {{"spin", "rad/s", "Latzel2001 Eq. 4", "mean angular velocity, counter-clockwise positive"}};
 }
 
 void Spin::add_disc(const Disc& disc, std::span<double> quantity) const {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Mean angular velocity of the discs.
 #pragma once
 
@@ -5,8 +6,8 @@
 
 namespace mikromakro {
 
-/// omega = sum_p w^p V^p omega^p / sum_p w^p V^p (seed Eq. 4 with Q^p = omega^p; section 3.7), rad/s. nan
-/// where there is no disc.
+/// omega = sum_p w^p V^p omega^p / sum_p w^p V^p (Latzel2001 Eq. 4 with Q^p = omega^p; section 3.7), rad/s.
+/// nan where there is no disc.
 class Spin : public Field {
  public:
   std::string_view name() const override { return "spin"; }

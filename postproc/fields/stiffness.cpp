@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/stiffness.h"
 
 #include <limits>
@@ -15,8 +16,8 @@ double quotient(double numerator, double denominator) {
 
 std::vector<Column> Stiffness::columns(const Axes& /*axes*/) const {
   const std::string unit = normal_stiffness_ > 0 ? "k_n/h" : "Pa";
-  return {{"E", unit, "seed Bild 9", "stiffness tr sigma/tr eps"},
-          {"G", unit, "seed Bild 10", "shear modulus dev sigma/dev eps"}};
+  return {{"E", unit, "Latzel2001 Bild 9", "stiffness tr sigma/tr eps"},
+          {"G", unit, "Latzel2001 Bild 10", "shear modulus dev sigma/dev eps"}};
 }
 
 void Stiffness::solve(const VolumeData& volumes, const ConstRowsRef& numbers, RowsRef columns) const {

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/stress.h"
 
 namespace mikromakro {
 
 std::vector<Column> Stress::columns(const Axes& axes) const {
-  return tensor_columns("sigma", axes, {"", "Pa", "seed Eq. 16", "contact stress, compression negative"});
+  return tensor_columns("sigma", axes,
+                        {"", "Pa", "Latzel2001 Eq. 16", "contact stress, compression negative"});
 }
 
 void Stress::add_contacts(const Disc& /*disc*/, std::span<const DiscContact> contacts,

@@ -1,11 +1,12 @@
-// Static part of the stress tensor (seed Eq. 16).
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Static part of the stress tensor (Latzel2001 Eq. 16).
 #pragma once
 
 #include "fields/volume_sum.h"
 
 namespace mikromakro {
 
-/// sigma = 1/V sum_p w^p sum_c f^c (x) l^pc, Pa (seed Eq. 16). The force is the one on p and the branch
+/// sigma = 1/V sum_p w^p sum_c f^c (x) l^pc, Pa (Latzel2001 Eq. 16). The force is the one on p and the branch
 /// points outward, so compression is negative. First index: direction of the force, second: of the branch.
 class Stress : public VolumeSum {
  public:

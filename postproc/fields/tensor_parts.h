@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Trace, deviator and principal direction of a tensor given as four columns.
 #pragma once
 

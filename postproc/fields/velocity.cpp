@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/velocity.h"
 
 namespace mikromakro {
 
 std::vector<Column> Velocity::columns(const Axes& axes) const {
   std::vector<Column> columns;
-  for (const std::string& axis : axes) columns.push_back({"v_" + axis, "m/s", "seed Eq. 5", "mean velocity"});
+  for (const std::string& axis : axes)
+    columns.push_back({"v_" + axis, "m/s", "Latzel2001 Eq. 5", "mean velocity"});
   return columns;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Mean velocity from the current density.
 #pragma once
 
@@ -5,7 +6,7 @@
 
 namespace mikromakro {
 
-/// v = (nu v) / nu with nu v = 1/V sum_p w^p V^p v^p (seed Eq. 5), m/s. nan where there is no disc.
+/// v = (nu v) / nu with nu v = 1/V sum_p w^p V^p v^p (Latzel2001 Eq. 5), m/s. nan where there is no disc.
 class Velocity : public Field {
  public:
   std::string_view name() const override { return "velocity"; }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/velocity_gradient.h"
 
 #include <algorithm>
@@ -28,9 +29,9 @@ Eigen::ArrayXd slopes(const Eigen::ArrayXd& r, const Eigen::ArrayXd& v) {
 
 std::vector<Column> VelocityGradient::columns(const Axes& axes) const {
   const std::string both = axes[0] + axes[1];
-  return {{"D_" + both, "1/s", "seed Eq. 7", "rate of deformation, finite differences"},
-          {"W_" + both, "1/s", "seed Eq. 8", "rate of rotation, finite differences"},
-          {"omega_excess", "1/s", "seed Bild 11", "spin - W_" + both}};
+  return {{"D_" + both, "1/s", "Latzel2001 Eq. 7", "rate of deformation, finite differences"},
+          {"W_" + both, "1/s", "Latzel2001 Eq. 8", "rate of rotation, finite differences"},
+          {"omega_excess", "1/s", "Latzel2001 Bild 11", "spin - W_" + both}};
 }
 
 void VelocityGradient::solve(const VolumeData& volumes, const ConstRowsRef& numbers, RowsRef columns) const {

@@ -1,15 +1,17 @@
-// Rates of deformation and rotation of the mean velocity in rings (seed Eqs. 6-8).
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Rates of deformation and rotation of the mean velocity in rings (Latzel2001 Eqs. 6-8).
 #pragma once
 
 #include "fields/field.h"
 
 namespace mikromakro {
 
-/// D_rphi = (dv_phi/dr - v_phi/r)/2, W_rphi = (dv_phi/dr + v_phi/r)/2 (seed Eqs. 7, 8), omega_excess = omega
-/// - W_rphi (seed, Bild 11), 1/s. dv_phi/dr is the slope of the parabola through v_phi of the ring and both
-/// neighbours, at the ends of the ring and its two nearest: exact for parabolas, of order 2 for rings of any
-/// width. Two rings have one slope. nan for one ring, beside rings without discs, and where the volumes are
-/// no rings.
+/// D_rphi = (dv_phi/dr - v_phi/r)/2, W_rphi = (dv_phi/dr + v_phi/r)/2 (Latzel2001 Eqs. 7, 8), omega_excess =
+/// omega
+/// - W_rphi (Latzel2001 Bild 11), 1/s. dv_phi/dr is the slope of the parabola through v_phi of the ring and
+/// both neighbours, at the ends of the ring and its two nearest: exact for parabolas, of order 2 for rings of
+/// any width. Two rings have one slope. nan for one ring, beside rings without discs, and where the volumes
+/// are no rings.
 class VelocityGradient : public Field {
  public:
   explicit VelocityGradient(bool over_rings = true) : over_rings_(over_rings) {}

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/velocity_gradient_fit.h"
 
 #include <limits>
@@ -9,8 +10,8 @@ namespace mikromakro {
 
 std::vector<Column> VelocityGradientFit::columns(const Axes& axes) const {
   const std::string both = axes[0] + axes[1];
-  return {{"D_" + both + "_fit", "1/s", "seed Eq. 9", "rate of deformation, exponential fit"},
-          {"W_" + both + "_fit", "1/s", "seed Eq. 9", "rate of rotation, exponential fit"}};
+  return {{"D_" + both + "_fit", "1/s", "Latzel2001 Eq. 9", "rate of deformation, exponential fit"},
+          {"W_" + both + "_fit", "1/s", "Latzel2001 Eq. 9", "rate of rotation, exponential fit"}};
 }
 
 void VelocityGradientFit::solve(const VolumeData& volumes, const ConstRowsRef& numbers,

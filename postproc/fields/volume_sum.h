@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Fields that are sums over a volume by its measure.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/wall_force_density.h"
 
 namespace mikromakro {

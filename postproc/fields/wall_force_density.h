@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Force of walls on discs.
 #pragma once
 
@@ -7,7 +8,7 @@ namespace mikromakro {
 
 /// t = 1/V sum over contacts c with walls and with discs that are not averaged of w(x_c) f^c, N/m^3: the
 /// forces on the averaged discs, at the ends of the branches. It is the boundary interaction force density of
-/// T. Weinhart, A. Thornton, S. Luding, O. Bokhove, Granular Matter 14 (2012) 289, and closes the balance of
+/// Weinhart2012, and closes the balance of
 /// momentum where walls are within reach of a kernel: div sigma + t + body forces = rate of momentum (div
 /// over the second index of sigma, kinetic stress included). With the weights sliced and centre contacts
 /// count as their discs do, and it is the force of walls on the discs of V only.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // By how much v0 and s depend on how a profile is fitted.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Errors of v0 and s of a fitted profile.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Quantile of Student's t distribution, for confidence intervals.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // From centre to centre through the periodic boundaries of the box.
 #pragma once
 

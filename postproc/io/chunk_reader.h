@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Numbers out of an HDF5 dataset, chunk by chunk, with as little as possible done while others wait.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "io/column_map.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Which column of a dump holds which quantity.
 #pragma once
 

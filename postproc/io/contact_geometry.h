@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Contacts from rows: the discs found by their ids, the geometry that the row tells set beside that of the
 // discs, and derived where the file does not tell it.
 #pragma once

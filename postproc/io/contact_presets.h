@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The columns of the dumps of contacts that engines write themselves, by how many there are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Contact rows of one dump frame, as they stand in the file.
 #pragma once
 

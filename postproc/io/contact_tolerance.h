@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How far the geometry of a row may be from that of the discs it names: as far as the digits of the files go.
 #pragma once
 

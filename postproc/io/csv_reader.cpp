@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "io/csv_reader.h"
 
 #include <fast_float/fast_float.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Tables in comma-separated text, as `mikromakro average` writes them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Frames of a LAMMPS / LIGGGHTS text dump (`dump custom`, `dump local`): headers read, rows cut out.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The one exception type of the library: a message 'FILE:LINE: what; expected ..., got ...' and whose fault
 // it is.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The frames of several files of one kind as one sequence.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // One snapshot in memory: discs and contacts as the averages see them, whatever file they came from.
 #pragma once
 

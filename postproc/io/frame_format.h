@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What every kind of input gives: frames one after the other, as their rows stand in the file.
 #pragma once
 

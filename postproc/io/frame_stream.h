@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Frames of any kind of input, one in memory at a time.
 #pragma once
 

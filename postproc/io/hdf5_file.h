@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The little of HDF5 that our files need; the library's own header is seen by hdf5_file.cpp
 // and chunk_reader.cpp only.
 #pragma once

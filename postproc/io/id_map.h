@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // From the id of a particle to its place in the frame; ids may have gaps and stand in any order.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Lines of a text file, plain or compressed by gzip or zstd, read in blocks.
 #pragma once
 

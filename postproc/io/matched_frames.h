@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Frames that several kinds of files have: particles and contacts, each perhaps in pieces.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "io/mercury_frames.h"
 
 #include <fmt/format.h>

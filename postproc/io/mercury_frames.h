@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Frames of MercuryDPM, particles and contacts matched by their times.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Frames of MercuryDPM's files: .data (particles) and .fstat (contacts), headers read, rows cut out.
 //
 // Source of the layout: DPMBase::outputXBallsData, readNextDataFile, writeFstatHeader and

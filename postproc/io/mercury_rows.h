@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Discs and contacts of MercuryDPM's rows.
 #pragma once
 

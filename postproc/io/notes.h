@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What stops nothing but must be known: the warnings that the program tells and writes above its tables.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Discs that overlap, whatever the rows of contacts say: contacts that a file lacks, and discs that lie on
 // one another.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Numbers as they lie in an HDF5 file: read, but not yet checked and decoded.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Particle columns by all the names that dumps give them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Forces of a frame as a whole: what no single row can tell.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How exactly a file tells its numbers: read off the numbers themselves, whatever kind of file they came
 // from.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "io/row_parser.h"
 
 #include <fast_float/fast_float.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Numbers of one line of text into the slots of a column map.
 #pragma once
 

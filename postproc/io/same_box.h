@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Particles and contacts of one step of one run have one box.
 #pragma once
 

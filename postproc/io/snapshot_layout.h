@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Where our HDF5 snapshots hold what: H5MD 1.1 (https://nongnu.org/h5md/h5md.html) for the particles,
 // contacts beside it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The snapshot file of a run: frame after frame, whatever happens to the run.
 #pragma once
 

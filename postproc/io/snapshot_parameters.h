@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a run says once about itself in its snapshot file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Frames of our HDF5 snapshots.
 #pragma once
 

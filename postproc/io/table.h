@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A table of numbers with the meaning of its columns: what the averages give and the writers take.
 #pragma once
 
@@ -11,7 +12,7 @@ namespace mikromakro {
 struct Column {
   std::string name;
   std::string unit;
-  std::string equation;  ///< where it is defined, e.g. "seed Eq. 3"; "-" where nothing is to be said
+  std::string equation;  ///< where it is defined, e.g. "Latzel2001 Eq. 3"; "-" where nothing is to be said
   std::string text;
   double period = 0;  ///< of angles, in their unit: values that differ by it are the same; 0: of no angle
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Tables of averages as HDF5 that explains itself.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Frames of LAMMPS / LIGGGHTS text dumps, particles and contacts matched by their time step.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Units that a dump names (`dump_modify units yes`): numbers of a frame into SI.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "io/vtkhdf.h"
 
 #include "io/hdf5_file.h"

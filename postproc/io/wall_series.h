@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The numbers of walls, frame by frame, in a snapshot file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What to average and how, as the program and the runs of engines are asked for it.
 #pragma once
 

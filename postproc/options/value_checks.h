@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What values of options must be. Each check says of a value that fails 'what; expected ..., got ...', which
 // stands behind the name of the option.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Options that say over what is averaged, and how discs count there. Shared by the verbs that average.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Averages by several weights, rings and numbers of frames, against the best one; 32 bits against 64."""
 import os
 import shutil

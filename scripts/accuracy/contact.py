@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The error of an impact against the steps per contact, each scheme and law."""
 import csv
 import io

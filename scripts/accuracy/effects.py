@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Each effect off and on: what it changes in the macroscopic answer, and what it costs."""
 import dataclasses
 

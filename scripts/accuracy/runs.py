@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Runs of the engine and of mikromakro with the processor time that they took, kept in out/accuracy."""
 import json
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The cell: positions from one saved state, and the macroscopic answer, against the time step."""
 import dataclasses
 import glob

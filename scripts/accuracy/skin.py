@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The time of a run over the skin of its neighbour lists, which changes nothing else."""
 import numpy as np
 

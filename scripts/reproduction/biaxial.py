@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The biaxial test: where the sample shears, and where its discs turn (as Bild 1 b of the paper)."""
 import os
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Bild 6: contacts and the fabric of samples of many size distributions."""
 import dataclasses
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The figures of the paper, one function each: what it needs, what it draws, what it says."""
 import dataclasses
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Do the standard errors of one run cover what other packings give? Run B under Eq. 1 in eight seeds of 100 frames each."""
 import warnings
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """docs/results/README.md: the table of the paper's numbers beside ours, and the figures with their captions."""
 import json
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Pictures of discs and force chains (Bild 2, 3)."""
 import h5py
 import numpy as np

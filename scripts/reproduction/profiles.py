@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Profiles of a simulation over rings, from mikromakro, kept beside its snapshots."""
 import csv
 import io

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The regimes of section 2.4, the wall that the paper does not print, and how quasi-static the shear is."""
 import numpy as np
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What every figure shares: sheets of axes that can be printed in grey, and the files that go into docs/results."""
 import csv
 import io

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The simulations behind the figures: each is run once and kept in out/reproduce/<name>/."""
 import concurrent.futures
 import dataclasses

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Which simulations the figures need."""
 from reproduction.simulations import biaxial, couette, isotropic
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The paper's numbers beside ours: quantities of the runs A, B, C over their seeds, and single ones."""
 import dataclasses
 import functools

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The two densities of section 2.4: below one the wheel has lost its contacts, above the other the sample freezes."""
 import numpy as np
 

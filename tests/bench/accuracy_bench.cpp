@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a time step costs in accuracy, contact by contact: errors of impacts over the phases of onset and
 // release for t_c/dt from 5 to 400, each scheme and law. CSV on stdout; scripts/accuracy_cost draws it.
 #include <cstdio>

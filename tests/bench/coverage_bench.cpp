@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How often standard errors cover the truth, in artificial runs whose truth is known, as Markdown:
 //   build/bin/coverage_bench [TRIALS [TITLE]]
 // all tables, or those with TITLE in their title; fit: those of fitted profiles. "before" is the rule that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Artificial runs of known mean 0 and known 2 tau, of other noise than AR(1) of normal steps.
 #pragma once
 

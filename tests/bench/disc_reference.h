@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The same discs, walls, law and integration as the disc styles, in one loop with no engine around it: what
 // this hardware gives. Sorted in space, packed in rows, vectorised, on one core; no groups, no types, no
 // output.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A cell of discs between two rough rings as plain numbers, from which every program of the benchmark starts.
 #pragma once
 

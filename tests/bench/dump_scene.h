@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Dumps of a shear cell's size as our input scripts write them, for benchmarks: 3800 discs and 4700 contacts
 // per frame between the rings of the paper, numbers with the digits of inputs/couette.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What each effect of the contact law costs per step and holds in memory per contact, in the paper's cell
 // (run A), interleaved in one run; prints a Markdown table.
 //   build/bin/effects_bench [STEPS] [REPETITIONS]

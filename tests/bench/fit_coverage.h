@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Tables of how often the intervals of fitted profiles hold the truth.
 #pragma once
 

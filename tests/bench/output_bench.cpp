@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What a frame of output costs in time and on the disk: snapshots, dumps of text and averages in the run,
 // interleaved in one run with the same steps without output; prints a Markdown table.
 //   build/bin/output_bench [run_a | NUMBER_OF_DISCS] [FRAMES] [REPETITIONS]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Pair time per step of the stock contact law and of ours in the paper's cell (run A), interleaved in one
 // run; prints the ratios.
 //   build/bin/pair_loop_bench

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How fast frames are read and averaged, all ways side by side in one run (medians of interleaved
 // repetitions), and how much memory that takes:
 //   build/bin/reading_bench [REPETITIONS]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The scene in the words of the engines' input scripts.
 #pragma once
 

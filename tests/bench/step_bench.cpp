@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Whole-step times of the paper's cell (run A) and of larger ones: stock LIGGGHTS, the disc styles, stock
 // LAMMPS, and the stand-alone loop of disc_reference.h, all from the same state, interleaved in one run.
 // Prints a Markdown table.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix biaxial/2d in the engine: how its walls move, what they feel, energy, restart; on one rank and on more.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix bottom/friction: the way to rest, the energy that it takes, discs at rest. Runs on one rank and on two.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

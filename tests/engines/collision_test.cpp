@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Head-on collisions of two discs inside the engine against the closed form of the linear spring-dashpot law
-// (seed 2.2): t_c = pi / sqrt(k_n/m12 - (gamma_n/2 m12)^2), e_n = exp(-gamma_n t_c / 2 m12).
+// (Latzel2001 2.2): t_c = pi / sqrt(k_n/m12 - (gamma_n/2 m12)^2), e_n = exp(-gamma_n t_c / 2 m12).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@
 namespace mikromakro::test {
 namespace {
 
-constexpr double radius = 3.71e-3;  // small disc of the seed's cell [m]
+constexpr double radius = 3.71e-3;  // small disc of the paper's cell [m]
 constexpr double speed = 0.02;      // of approach [m/s]: overlap / radius stays below 1 %
 constexpr double density = 6.36;    // rho h [kg/m^2]
 constexpr double k_n = 352.1;       // [N/m]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Linear and angular momentum of many discs, and the energy of a frictionless elastic gas. Runs on one rank
 // and on two.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A run that goes on from a restart file repeats the run that wrote the file and was not interrupted, bit for
 // bit, on the same number of ranks. Runs on one rank and on two.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix couette/2d in the engine; on one rank and on two.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Runs that are ended from outside, by a kill of one rank or of all or by a signal: their files have every
 // complete frame, and a later run goes on from there.
 #include <fmt/format.h>

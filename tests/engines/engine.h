@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // An engine with the disc styles inside the test process: tests give it input lines and read its
 // discs and contacts back in full precision.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The scenes of the tests are written once, in the lines of LIGGGHTS; each engine gets them in its own.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The same discs under both engines, started as programs: no process can hold both.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

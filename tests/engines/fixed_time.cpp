@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // For LD_PRELOAD: the time that a program sees, from FIXED_TIME.
 #include <cstdlib>
 #include <ctime>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // One disc at the smooth walls of a box, against closed forms. The wall's mass is infinite: m12 = m, and a
 // tangential force changes the slip rate by 3 f_t/m.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Runs that the engine ends before their last step, by `fix halt` or by `timer timeout`: nobody knew in that
 // step that it would be the last. Files and state are those of a run of so many steps, and the next run goes
 // on from there, to the last bit.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Cells that are hard on a simulation: far above freezing, without contact, a wheel a hundred times faster, a
 // disc squeezed between the rings. Criteria are in docs/results/stability.md; ManySteps are labelled long.
 #include <fmt/format.h>

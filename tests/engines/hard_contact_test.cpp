@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Contacts and packings that are hard on a simulation; on one rank and on two. Criteria are in
 // docs/results/stability.md; ManySteps are labelled long.
 #include <fmt/format.h>

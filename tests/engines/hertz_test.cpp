@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Head-on collisions under Hertz's law inside the engine: duration against the closed form 3.2181
 // (m12^2/(k_H^2 v))^(1/5), restitution with the dashpot against an integration of the equation of motion.
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 namespace mikromakro::test {
 namespace {
 
-// A small and a large disc of the seed's cell; the law is as stiff as the cell's linear one at the largest
+// A small and a large disc of the paper's cell; the law is as stiff as the cell's linear one at the largest
 // overlap.
 constexpr double a_1 = 3.71e-3, a_2 = 4.495e-3, density = 6.36, speed = 0.02;
 constexpr double k_n = 1e6;  // [N/m^2]

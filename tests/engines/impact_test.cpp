@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // An oblique impact inside the engine is the one of physics/impact.h, step by step: what is measured there
 // holds here.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Lines of LIGGGHTS as LAMMPS spells them. Constants become coefficients of pairs of types.
 #include <sstream>
 

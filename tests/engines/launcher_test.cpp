@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // liggghts-disc and lmp-disc as programs: command line, styles after `clear`, warnings and errors as a user
 // meets them, alone and under mpirun.
 #include <fmt/format.h>

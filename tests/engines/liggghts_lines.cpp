@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "engine_lines.h"
 
 namespace mikromakro::test {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Tests that hold an engine need MPI; under mpirun every rank runs every test and any failure fails the run.
 #include <gtest/gtest.h>
 #include <mpi.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Oblique impacts of two equal discs inside the engine against closed forms. The normal force is elastic, so
 // the contact lasts t_c = pi sqrt(m12/k_n) and J_n = 2 m12 v_n. With I = m a^2 / 2 a tangential force f_t on
 // both rims changes the slip rate by 3 f_t / m12: the tangential mass is m12 / 3.
@@ -17,7 +18,7 @@
 namespace mikromakro::test {
 namespace {
 
-constexpr double radius = 3.71e-3;  // small disc of the seed's cell [m]
+constexpr double radius = 3.71e-3;  // small disc of the paper's cell [m]
 constexpr double density = 6.36;    // rho h [kg/m^2]
 constexpr double k_n = 352.1;       // [N/m]
 constexpr double v_n = 1e-6;        // of approach [m/s]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // While nobody looks between two steps, state waits in rows beside the engine's arrays: it must be the same
 // state, to the last bit, as where somebody looks at every step, or acts within every step; on any number of
 // ranks.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Other fixes and commands, which set velocities, radii, places and forces: in steps that they act in, the
 // engine's arrays hold what the stock integrators leave there, and contacts, near pairs and the forces with
 // which a run goes on follow. Values from formulas; on one rank and on two.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A disordered dense packing in motion: every contact slides, sticks or separates within a few steps.
 #pragma once
 

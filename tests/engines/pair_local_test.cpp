@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The stock `compute pair/gran/local` with the disc laws. It evaluates the law again at the end of the step,
 // without moving the spring: positions are those of the step's forces, velocities the final ones. So its
 // forces equal the applied ones exactly where the law does not depend on velocities; the dashpots differ by

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // create_ring and create_discs in the engine; on two ranks the result of both is compared with that of one
 // rank.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The same scene on one rank and on all ranks of this run (ctest starts it under mpirun): contacts and forces
 // agree.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Restart files in the middle of contacts that stick and slide: springs and settings of the law survive.
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A pair in contact that turns as a rigid body does not slip: spring and forces stay what they are.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // script_of_engine SCRIPT: prints a script of LIGGGHTS, with what it includes, in the lines of the engine
 // that this program was built for.
 #include <filesystem>

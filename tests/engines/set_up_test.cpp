@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the set-up of a run does to contacts that are there already: no time goes by in it, and none is lost.
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // SIGUSR1 asks for a restart file in whatever instant of a step: the file holds the state of the end of a
 // step all the same, also where the state was left open because nobody was going to look.
 #include <fmt/format.h>

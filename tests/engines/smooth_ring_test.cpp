@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix couette/2d with smooth rings in the engine; on one rank and on more.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

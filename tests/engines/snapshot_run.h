@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Runs of the program that are looked at from outside, through the files that they leave.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix snapshot/disc and fix ave/micromacro in the program, alone and under mpirun: what they write equals
 // dumps and averages of dumps, and goes on after restarts.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A run of the packaged LIGGGHTS with its own contact law, dumped by its own compute and averaged by naming
 // the columns, against the same discs and contacts dumped by ours: the same fields. At step 0 the laws give
 // the same forces (stock_comparison_test.cpp); the fields then differ by the rounding of overlaps and normals

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The stock names of the contact law swapped for ours in an otherwise unchanged script: same contacts, same
 // forces.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The stock law of LAMMPS, gran/hooke/history, on the same pairs of discs, after a first step that stretches
 // the springs. It differs by two conventions only, and each is put in term by term:
 //   damping: its constants are multiplied by the reduced mass, gamma = m12 gamma_stock;

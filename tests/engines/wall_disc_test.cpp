@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // fix wall/disc: beside the walls of the box and of the ring cell, which are the same walls, and against
 // closed forms; on one rank and on more.
 #include <fmt/format.h>

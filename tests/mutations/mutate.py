@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Mutations of inputs: bytes, words, lines of text; bytes of binary files; words of command lines."""
 import re
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "physics/bottom_friction.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Duration and restitution of a contact (seed 2.2): t_c = pi / sqrt(k_n/m12 - (gamma_n/2 m12)^2),
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Duration and restitution of a contact (Latzel2001 2.2): t_c = pi / sqrt(k_n/m12 - (gamma_n/2 m12)^2),
 // e_n = exp(-gamma_n t_c / 2 m12).
 #include "physics/contact_duration.h"
 
@@ -9,7 +10,7 @@
 namespace mikromakro::physics {
 namespace {
 
-// Discs of the seed's cell: rho = 1060 kg/m^3, h = 6 mm, diameters 7.42 and 8.99 mm; k_n, gamma_n.
+// Discs of the paper's cell: rho = 1060 kg/m^3, h = 6 mm, diameters 7.42 and 8.99 mm; k_n, gamma_n.
 constexpr double areal_density = 1060 * 6e-3;  // [kg/m^2]
 const double small = areal_density * M_PI * 3.71e-3 * 3.71e-3;
 const double large = areal_density * M_PI * 4.495e-3 * 4.495e-3;

@@ -1,5 +1,6 @@
-// The contact law of docs/conventions.md (seed 2.2) as a pure function. Numbers are chosen so that every
-// product is exact or off by one rounding.
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The contact law of docs/conventions.md (Latzel2001 2.2) as a pure function. Numbers are chosen so that
+// every product is exact or off by one rounding.
 #include "physics/contact_law.h"
 #include "physics/spring_step.h"
 

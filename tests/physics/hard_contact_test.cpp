@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The contact law where it is hard on a simulation: slips that are tiny or change their sign, grazing
 // impacts, large overlaps, heavy damping. Criteria are in docs/results/stability.md.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A patch of a triangular lattice of discs, deformed by a given gradient.
 #pragma once
 

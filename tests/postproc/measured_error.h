@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // EXPECT_NEAR that also notes the largest error of the test, for docs/validation.md (--gtest_output=json:FILE
 // shows it).
 #pragma once

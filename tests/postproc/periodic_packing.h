@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Packings in a periodic box, and what is the same without one: the discs many times, side by side.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Averages of one frame over rings or other volumes, by column names: what most tests look at.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A snapshot of the shear cell: a real, disordered packing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Files with given content in a folder of their own, gone at the end of the test.
 #pragma once
 

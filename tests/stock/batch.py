@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Many scripts in few processes of an engine, each after a `clear`; what one of them dies of is its own outcome."""
 import os
 import re

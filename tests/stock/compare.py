@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Discs and files of two runs of the same script."""
 import glob
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The table of stock fixes and commands for the manual, from the rows alone: stock_table shows that they are right."""
 import rows
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The table of stock fixes and commands, read from rows.txt.
 
 A row begins with '== NAME'. Its lines are those of a script; '{out}' in them is the beginning of names of files, whose

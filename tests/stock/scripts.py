@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Scripts of one row under one law: the discs, the law, who integrates, the row's lines, its runs."""
 import math
 import os

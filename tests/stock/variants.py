@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The laws under which each row runs."""
 from scripts import Variant
 

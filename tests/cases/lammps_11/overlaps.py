@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """How many discs there are in the last frame of d.txt, and the largest overlap over 4 mm."""
 import math
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // `mikromakro audit`: rings of the shear cell, boxes worked by hand.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Every file of tests/data/bad, with the arguments and the line of its case in cases.txt, through the real
 // program.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """What h5py and pandas see in the HDF5 files of the program given as argument: the numbers of the CSV, bit by bit."""
 
 import subprocess
@@ -23,7 +24,7 @@ with tempfile.TemporaryDirectory() as folder:
         assert list(frame.columns) == list(csv.columns)
         assert numpy.array_equal(frame.values, csv.values, equal_nan=True)
         assert table["sigma_rr"].attrs["unit"] == "Pa"
-        assert table["sigma_rr"].attrs["equation"].startswith("seed Eq.")
+        assert table["sigma_rr"].attrs["equation"].startswith("Latzel2001 Eq.")
         assert file.attrs["program"].startswith("mikromakro ")
         assert file.attrs["weight"] == "sliced" and file.attrs["particles"] == "particles.dump"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // `mikromakro compare` as a user runs it.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // HDF5 snapshots through the program.
 #include <gtest/gtest.h>
 

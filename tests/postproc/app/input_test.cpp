@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Kinds of input through the program: MercuryDPM's files, several runs.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Threads and ranks of the real program: equal bytes, and one line for an error.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The program as a user runs it, on the small pair of dumps in tests/data/good.
 #include <gtest/gtest.h>
 
@@ -203,7 +204,7 @@ TEST(Fit, TellsTheUnitOfTheColumn) {
         "fit '" + folder.write("t.csv", comments + "r,r_inner,sigma_rr\n1,1,8\n2,2,4\n3,3,2.5\n4,4,1\n") +
         "' --column sigma_rr" + options);
   };
-  const std::string unit = "# column sigma_rr [Pa] (seed Eq. 16) stress\n";
+  const std::string unit = "# column sigma_rr [Pa] (Latzel2001 Eq. 16) stress\n";
   EXPECT_NE(fit(unit, "").out.find(" Pa; by choices"), std::string::npos);
   EXPECT_NE(fit("", "").out.find("the table does not tell the unit"), std::string::npos);
   EXPECT_EQ(fit(unit, " --omega 2").err,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // `mikromakro timestep`: the law that it goes by is tested in tests/physics/impact_test.cpp, and against runs
 // of the engines in tests/engines/impact_test.cpp.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Standard errors against artificial runs whose truth is known; the whole tables: build/bin/coverage_bench.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Eq. 20, stiffness and micropolar quantities on lattices whose values can be written down.
 #include <gtest/gtest.h>
 

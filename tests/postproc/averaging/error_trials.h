@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How often the standard errors of many artificial runs cover the truth: for tests and tests/bench.
 #pragma once
 

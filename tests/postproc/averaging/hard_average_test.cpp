@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Averages where they are hard: next to nothing of a disc in a ring, a million frames. Criteria are in
 // docs/results/stability.md.
 #include <gtest/gtest.h>

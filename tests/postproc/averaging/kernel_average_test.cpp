@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Averages with kernels: what is weighted how.
 #include <gtest/gtest.h>
 

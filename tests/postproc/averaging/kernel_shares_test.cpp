@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Shares of points and branches with kernels, in all kinds of volumes.
 #include <gtest/gtest.h>
 

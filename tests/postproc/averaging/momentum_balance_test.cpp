@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What kernels promise: momentum balances, up to the walls, and fields linear in space are met.
 #include <gtest/gtest.h>
 

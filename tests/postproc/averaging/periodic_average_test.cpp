@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Averages in periodic boxes: the same wherever the box begins, and those of many boxes side by side.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "averaging/periodic_images.h"
 
 #include <gtest/gtest.h>

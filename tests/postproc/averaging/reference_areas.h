@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Areas of a disc in rectangles and sectors by quadrature in extended precision.
 #pragma once
 
@@ -10,7 +11,7 @@ namespace mikromakro {
 
 using Long = long double;
 
-/// Integral of f from a to b by the double exponential rule (Takahasi and Mori 1974), which does not mind
+/// Integral of f from a to b by the double exponential rule (Takahasi1974), which does not mind
 /// roots at the ends: to about 1e-17 of (b - a) max f where f is analytic between them.
 template <typename Function>
 Long integral(const Function& f, Long a, Long b) {

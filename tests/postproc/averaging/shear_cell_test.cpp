@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Identities that hold in every ring of a real, disordered packing: a snapshot of the shear cell.
 #include <gtest/gtest.h>
 

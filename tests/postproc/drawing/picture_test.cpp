@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Two discs and a wall disc, pressed and pulled: what is where in the picture.
 #include "drawing/picture.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Fields that are averaged only when they are asked for.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fields/velocity_gradient.h"
 
 #include <gtest/gtest.h>
@@ -67,9 +68,9 @@ TEST(VelocityGradient, IsNanForOneRingAndBesideEmptyRings) {
   EXPECT_EQ(slope[4], 1);
 }
 
-// The seed's fit: v0 = 0.645 * 0.1 * 0.1032, s = 12.7 mm gives D = -0.294 1/s, W = -0.230 1/s at R_i by Eq. 9
-// (docs/conventions.md). Three digits are known.
-TEST(VelocityGradientFit, SeedsProfileGivesItsRates) {
+// The paper's fit: v0 = 0.645 * 0.1 * 0.1032, s = 12.7 mm gives D = -0.294 1/s, W = -0.230 1/s at R_i by Eq.
+// 9 (docs/conventions.md). Three digits are known.
+TEST(VelocityGradientFit, ProfileOfThePaperGivesItsRates) {
   const Eigen::ArrayXd r = Eigen::ArrayXd::LinSpaced(20, 0.1032, 0.18);
   const Rows solved =
       solve(VelocityGradientFit(), r, 0.645 * 0.1 * 0.1032 * (-(r - 0.1032) / 0.0127).exp(), 2);

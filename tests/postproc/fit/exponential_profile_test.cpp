@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fit/exponential_profile.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ namespace mikromakro {
 namespace {
 
 constexpr double r_i = 0.1032;
-constexpr double width = 0.0127;  // the seed's s
+constexpr double width = 0.0127;  // the paper's s
 
 ProfilePoints exact_profile(double v0, int rings) {
   ProfilePoints points;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // How often the intervals of fitted profiles hold the truth, in artificial runs: for tests and tests/bench.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What the columns of a contact dump may be called, and that each name acts: a number that is changed under
 // it changes the contacts, is refused, or comes out of `convert`.
 #include <fmt/format.h>

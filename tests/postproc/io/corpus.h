@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // What becomes of a broken file: one clear error, or the averages that the program would print.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +15,7 @@ namespace {
 
 TEST(Csv, NumbersComeBackToTheLastBit) {
   Table table;
-  table.columns = {{"r", "m", "-", "radius"}, {"v", "m/s", "seed Eq. 5", "velocity"}};
+  table.columns = {{"r", "m", "-", "radius"}, {"v", "m/s", "Latzel2001 Eq. 5", "velocity"}};
   table.rows.resize(2, 2);
   table.rows << 0.1, 1.0 / 3, -2e-300, std::nan("");
   const Folder folder;
@@ -25,7 +26,7 @@ TEST(Csv, NumbersComeBackToTheLastBit) {
   EXPECT_EQ(read.column("r")[1], -2e-300);
   EXPECT_TRUE(std::isnan(read.column("v")[1]));
   EXPECT_EQ(read.comments(), (std::vector<std::string>{"program: test", "column r [m] (-) radius",
-                                                       "column v [m/s] (seed Eq. 5) velocity"}));
+                                                       "column v [m/s] (Latzel2001 Eq. 5) velocity"}));
 }
 
 TEST(Csv, EveryNanIsWrittenWithoutSign) {

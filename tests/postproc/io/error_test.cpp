@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "io/error.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Opening a file beside a writer.
 #include "io/hdf5_file.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The corpus of malformed files goes on with compressed dumps, HDF5 snapshots and MercuryDPM's files; under
 // the sanitizers as malformed_files_test.cpp, and with the same demand: one clear error, or a correct result.
 #include <gtest/gtest.h>

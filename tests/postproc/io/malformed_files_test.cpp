@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // A corpus of malformed dumps made from a good pair, read and averaged under the address and
 // undefined-behaviour sanitizers: each gives one clear error or a correct result, never a crash, a hang, or a
 // silent wrong number.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The two discs, the fixed disc and the wall of particles.dump and contacts.dump, as MercuryDPM writes them.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The snapshot file of a run: continued, read meanwhile, and after its writer was killed at any moment.
 #include "io/snapshot_log.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Frames through HDF5 snapshots and back.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
