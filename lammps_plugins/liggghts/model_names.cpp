@@ -14,7 +14,7 @@
 #include "force.h"
 #include "granular_pair_style.h"
 #include "granular_wall.h"
-#include "io/nearest_name.h"
+#include "model/nearest_name.h"
 
 namespace mikromakro::styles {
 

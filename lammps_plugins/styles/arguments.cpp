@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "error.h"
-#include "io/nearest_name.h"
 #include "lammps.h"
+#include "model/nearest_name.h"
 
 namespace mikromakro::styles {
 namespace {

@@ -12,6 +12,7 @@
 
 #include "arguments.h"
 #include "atom.h"
+#include "comm.h"
 #include "compute.h"
 #include "disc_law.h"
 #include "domain.h"
@@ -53,19 +54,43 @@ void check_positive(LAMMPS& engine, const std::string& style, const std::string&
            " above 0; 'set ... diameter' and a density give it");
 }
 
-/// A disc that touches its own image has a contact that no row of contacts, and so no stress, holds.
-void check_box_width(LAMMPS& engine, const std::string& style) {
+/// The radii of the two largest discs.
+std::array<double, 2> largest_radii(LAMMPS& engine) {
+  std::array<double, 2> mine{};
+  const auto take = [](std::array<double, 2>& two, double radius) {
+    if (radius > two[0])
+      two = {radius, two[0]};
+    else
+      two[1] = std::max(two[1], radius);
+  };
+  for (int i = 0; i < engine.atom->nlocal; ++i) take(mine, engine.atom->radius[i]);
+  std::vector<double> all(2 * static_cast<std::size_t>(engine.comm->nprocs));
+  MPI_Allgather(mine.data(), 2, MPI_DOUBLE, all.data(), 2, MPI_DOUBLE, engine.world);
+  std::array<double, 2> two{};
+  for (const double radius : all) take(two, radius);
+  return two;
+}
+
+/// A disc that touches its own image has a contact that no row of contacts, and so no stress, holds. Two discs
+/// that touch through two images have two springs, which the engines keep by the partner's id: the next list
+/// of neighbours gives both the same.
+void check_box_width(LAMMPS& engine, const std::string& style, bool with_springs) {
   const Domain& domain = *engine.domain;
-  double largest = 0;
-  for (int i = 0; i < engine.atom->nlocal; ++i) largest = std::max(largest, engine.atom->radius[i]);
-  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, engine.world);
+  const auto [largest, second] = largest_radii(engine);
   const bool periodic[] = {domain.xperiodic != 0, domain.yperiodic != 0};
   for (int axis = 0; axis < 2; ++axis) {
-    if (!periodic[axis] || domain.prd[axis] >= 2 * largest) continue;
-    stop(engine, style,
-         std::string("expected a periodic box that is wider than a disc along ") + (axis == 0 ? "x" : "y") +
-             ", got " + text_of(domain.prd[axis]) + " m and a disc of " + text_of(2 * largest) +
-             " m: it would touch its own image");
+    if (!periodic[axis]) continue;
+    const std::string along = axis == 0 ? " along x" : " along y";
+    if (domain.prd[axis] < 2 * largest)
+      stop(engine, style,
+           "expected a periodic box that is wider than a disc" + along + ", got " + text_of(domain.prd[axis]) +
+               " m and a disc of " + text_of(2 * largest) + " m: it would touch its own image");
+    if (with_springs && domain.prd[axis] < 2 * (largest + second))
+      stop(engine, style,
+           "expected a periodic box that is wider than " + text_of(2 * (largest + second)) + " m" + along +
+               ", twice the distance of the two largest discs, got " + text_of(domain.prd[axis]) +
+               " m: where two discs touch through two images, the engine keeps one spring (tangential off and "
+               "disc/viscous need none)");
   }
 }
 
@@ -167,10 +192,10 @@ void warn_of_spheres(LAMMPS& engine, const std::string& style) {
 
 }  // namespace
 
-void check_discs(LAMMPS& engine, const std::string& style) {
+void check_discs(LAMMPS& engine, const std::string& style, bool with_springs) {
   check_positive(engine, style, "radius", engine.atom->radius);
   check_positive(engine, style, "mass", engine.atom->rmass);
-  check_box_width(engine, style);
+  check_box_width(engine, style, with_springs);
   check_integrators(engine, style);
   warn_of_integrators(engine, style);
   warn_of_spheres(engine, style);

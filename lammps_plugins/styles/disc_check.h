@@ -11,7 +11,8 @@ class LAMMPS;
 namespace mikromakro::styles {
 
 /// Ends the run where a disc has no radius or no mass, or where a second fix integrates a disc of fix
-/// nve/disc; warns of masses that are those of spheres. `style` is who asks.
-void check_discs(LAMMPS_NS::LAMMPS& engine, const std::string& style);
+/// nve/disc, or a periodic box is so narrow that contacts or springs are lost; warns of masses that are those
+/// of spheres. `style` is who asks, `with_springs` whether its contacts have a history.
+void check_discs(LAMMPS_NS::LAMMPS& engine, const std::string& style, bool with_springs);
 
 }  // namespace mikromakro::styles

@@ -172,7 +172,7 @@ void DiscLaw::start_run(const NeighList& list) {
   deep_overlaps_told_ = false;
   constexpr double rounding = 1e-12;
   lists_are_old_ = sum_of_radii() > sum_of_radii_ * (1 + rounding);
-  check_discs(*lmp, style());
+  check_discs(*lmp, style(), effects_.spring());
   check_time_step(*lmp, list, style(), {effects_, parameters_, impact_velocity_});
   tell(*lmp, effects_line(effects_, *modify, predicted_));
   warn_of_unseen_forces(*lmp);

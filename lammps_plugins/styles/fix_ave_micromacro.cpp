@@ -13,10 +13,10 @@
 #include "first_rank.h"
 #include "frame_gathering.h"
 #include "group.h"
-#include "io/error.h"
-#include "io/frame_stream.h"
-#include "io/nearest_name.h"
+#include "io/frames/frame_stream.h"
 #include "mikromakro_version.h"
+#include "model/error.h"
+#include "model/nearest_name.h"
 #include "options/value_checks.h"
 #include "update.h"
 

@@ -11,7 +11,7 @@
 #include "first_rank.h"
 #include "frame_gathering.h"
 #include "group.h"
-#include "io/output_file.h"
+#include "io/files/output_file.h"
 #include "mikromakro_version.h"
 #include "modify.h"
 #include "run_record.h"

@@ -2,13 +2,14 @@
 // fix ID group snapshot/disc N file NAME.h5 [append yes|no] [start yes|no] [height H]
 //
 // In every step that is a multiple of N the discs of the group, their contacts (columns of contact_rows.h)
-// and the numbers of the fixes with walls go as a frame into one HDF5 file (postproc/io/snapshot_layout.h),
-// which `mikromakro` reads in place of dumps, while the run goes on too. `start yes`: also in the step in
-// which the first run starts. The thickness H (m), effects and material constants are written down once.
+// and the numbers of the fixes with walls go as a frame into one HDF5 file
+// (postproc/io/snapshot/snapshot_layout.h), which `mikromakro` reads in place of dumps, while the run goes on
+// too. `start yes`: also in the step in which the first run starts. The thickness H (m), effects and material
+// constants are written down once.
 //
 // A new file appears with its first frame and replaces an old one, unless `append yes` continues that: it has
 // to be of the same system, and its frames after the present step are dropped. The frames that were complete
-// outlive a kill of any rank at any moment (postproc/io/snapshot_log.h).
+// outlive a kill of any rank at any moment (postproc/io/snapshot/snapshot_log.h).
 //
 // All ranks give their discs and contacts to the first one, which writes alone: of HDF5's ways to write, only
 // that of a single writer keeps a file readable through a kill, and HDF5 1.10 refuses it with MPI-IO.
@@ -21,7 +22,7 @@
 #include "agreement.h"
 #include "contact_rows.h"
 #include "dialect.h"
-#include "io/snapshot_log.h"
+#include "io/snapshot/snapshot_log.h"
 #include "output_names.h"
 
 namespace mikromakro::styles {

@@ -2,7 +2,7 @@
 // The discs and contacts of all ranks as one frame, as postproc reads it from a file.
 #pragma once
 
-#include "io/frame_format.h"
+#include "io/frames/frame_format.h"
 
 namespace LAMMPS_NS {
 class Fix;

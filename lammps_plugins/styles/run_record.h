@@ -2,7 +2,7 @@
 // What a run simulates, as its snapshots say it.
 #pragma once
 
-#include "io/snapshot_parameters.h"
+#include "io/snapshot/snapshot_parameters.h"
 
 namespace LAMMPS_NS {
 class LAMMPS;

@@ -3,8 +3,8 @@
 
 #include "app/progress.h"
 #include "app/warnings.h"
-#include "io/error.h"
-#include "io/file_list.h"
+#include "io/files/file_list.h"
+#include "model/error.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {

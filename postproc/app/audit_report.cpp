@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/error.h"
+#include "model/error.h"
 
 namespace mikromakro {
 

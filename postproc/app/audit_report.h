@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "audit/normal_forces.h"
-#include "io/json_object.h"
+#include "io/tables/json_object.h"
 
 namespace mikromakro {
 

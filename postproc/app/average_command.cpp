@@ -11,7 +11,7 @@
 #include "app/plausible_options.h"
 #include "app/run_constants.h"
 #include "averaging/block_table.h"
-#include "io/error.h"
+#include "model/error.h"
 #include "options/average_options.h"
 #include "options/error_report.h"
 

@@ -10,8 +10,8 @@
 #include "app/progress.h"
 #include "app/warnings.h"
 #include "averaging/repeated_frames.h"
-#include "io/error.h"
-#include "io/file_list.h"
+#include "io/files/file_list.h"
+#include "model/error.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {

@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/input_options.h"
-#include "averaging/ordered_sums.h"
-#include "averaging/ranks.h"
+#include "averaging/parallel/ordered_sums.h"
+#include "averaging/parallel/ranks.h"
 #include "options/average_options.h"
 
 namespace mikromakro {

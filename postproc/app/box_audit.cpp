@@ -12,7 +12,7 @@
 #include "audit/normal_forces.h"
 #include "audit/table_column.h"
 #include "averaging/time_average.h"
-#include "io/error.h"
+#include "model/error.h"
 
 namespace mikromakro {
 namespace {

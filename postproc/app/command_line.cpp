@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <iterator>
 
-#include "io/nearest_name.h"
+#include "model/nearest_name.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {

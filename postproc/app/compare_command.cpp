@@ -10,8 +10,8 @@
 #include "app/comparison_report.h"
 #include "app/memory_need.h"
 #include "app/run_constants.h"
-#include "io/error.h"
-#include "io/output_file.h"
+#include "io/files/output_file.h"
+#include "model/error.h"
 #include "options/field_options.h"
 #include "options/volume_options.h"
 

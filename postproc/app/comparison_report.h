@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/csv_writer.h"
-#include "io/table.h"
+#include "io/tables/csv_writer.h"
+#include "model/table.h"
 
 namespace mikromakro {
 

@@ -8,10 +8,10 @@
 #include "app/progress.h"
 #include "app/run_constants.h"
 #include "app/warnings.h"
-#include "io/error.h"
-#include "io/file_list.h"
-#include "io/output_file.h"
-#include "io/snapshot_writer.h"
+#include "io/files/file_list.h"
+#include "io/files/output_file.h"
+#include "io/snapshot/snapshot_writer.h"
+#include "model/error.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {

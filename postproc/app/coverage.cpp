@@ -9,7 +9,7 @@
 #include <set>
 
 #include "drawing/picture.h"
-#include "io/error.h"
+#include "model/error.h"
 
 namespace mikromakro {
 namespace {

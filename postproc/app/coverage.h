@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/frame_stream.h"
+#include "io/frames/frame_stream.h"
 #include "options/volume_options.h"
 
 namespace mikromakro {

@@ -12,10 +12,10 @@
 #include "app/run_constants.h"
 #include "app/warnings.h"
 #include "drawing/picture.h"
-#include "io/error.h"
-#include "io/file_list.h"
-#include "io/numbered_name.h"
-#include "io/output_file.h"
+#include "io/files/file_list.h"
+#include "io/files/output_file.h"
+#include "model/error.h"
+#include "model/numbered_name.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {

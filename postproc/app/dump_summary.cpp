@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "io/particle_reader.h"
-#include "io/units.h"
+#include "io/text/particle_reader.h"
+#include "model/units.h"
 
 namespace mikromakro {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "io/dump_reader.h"
-#include "io/json_object.h"
-#include "io/notes.h"
+#include "io/tables/json_object.h"
+#include "io/text/dump_reader.h"
+#include "model/notes.h"
 
 namespace mikromakro {
 

@@ -7,9 +7,9 @@
 #include "app/commands.h"
 #include "app/fit_report.h"
 #include "app/warnings.h"
-#include "io/csv_reader.h"
-#include "io/error.h"
-#include "io/printed_digits.h"
+#include "io/tables/csv_reader.h"
+#include "model/error.h"
+#include "model/printed_digits.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/json_object.h"
+#include "io/tables/json_object.h"
 
 namespace mikromakro {
 namespace {

@@ -8,11 +8,11 @@
 #include "app/dump_summary.h"
 #include "app/mercury_summary.h"
 #include "app/warnings.h"
-#include "io/csv_reader.h"
-#include "io/file_list.h"
-#include "io/json_object.h"
-#include "io/line_reader.h"
-#include "io/snapshot_reader.h"
+#include "io/files/file_list.h"
+#include "io/files/line_reader.h"
+#include "io/snapshot/snapshot_reader.h"
+#include "io/tables/csv_reader.h"
+#include "io/tables/json_object.h"
 
 namespace mikromakro {
 namespace {

@@ -5,8 +5,8 @@
 #include <fmt/ranges.h>
 
 #include "app/warnings.h"
-#include "io/error.h"
-#include "io/file_list.h"
+#include "io/files/file_list.h"
+#include "model/error.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "averaging/averager.h"
-#include "io/csv_writer.h"
-#include "io/frame_stream.h"
+#include "io/frames/frame_stream.h"
+#include "io/tables/csv_writer.h"
 
 namespace mikromakro {
 

@@ -6,7 +6,7 @@
 
 #include <csignal>
 
-#include "io/output_file.h"
+#include "io/files/output_file.h"
 
 namespace mikromakro {
 namespace {

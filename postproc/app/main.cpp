@@ -14,9 +14,9 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/interrupts.h"
-#include "averaging/ranks.h"
-#include "io/error.h"
-#include "io/hdf5_file.h"
+#include "averaging/parallel/ranks.h"
+#include "io/hdf5/hdf5_file.h"
+#include "model/error.h"
 #include "options/value_checks.h"
 
 namespace {

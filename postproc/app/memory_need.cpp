@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "io/error.h"
+#include "model/error.h"
 
 namespace mikromakro {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include "io/mercury_rows.h"
+#include "io/mercury/mercury_rows.h"
 
 namespace mikromakro {
 namespace {

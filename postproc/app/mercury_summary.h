@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "io/json_object.h"
-#include "io/notes.h"
+#include "io/tables/json_object.h"
+#include "model/notes.h"
 
 namespace mikromakro {
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "app/input_options.h"
-#include "io/frame.h"
-#include "io/notes.h"
+#include "model/frame.h"
+#include "model/notes.h"
 #include "options/volume_options.h"
 
 namespace mikromakro {

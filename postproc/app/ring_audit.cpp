@@ -9,7 +9,7 @@
 #include "audit/normal_forces.h"
 #include "audit/ring_balance.h"
 #include "averaging/time_average.h"
-#include "io/error.h"
+#include "model/error.h"
 
 namespace mikromakro {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
-#include "io/error.h"
-#include "io/snapshot_parameters.h"
+#include "io/snapshot/snapshot_parameters.h"
+#include "model/error.h"
 
 namespace mikromakro {
 namespace {

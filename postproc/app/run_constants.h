@@ -2,7 +2,7 @@
 // Thickness and stiffness as snapshot files of runs hold them.
 #pragma once
 
-#include "io/frame_stream.h"
+#include "io/frames/frame_stream.h"
 #include "options/field_options.h"
 #include "options/volume_options.h"
 

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "io/error.h"
-#include "io/json_object.h"
+#include "io/tables/json_object.h"
+#include "model/error.h"
 #include "physics/contact_duration.h"
 #include "physics/impact.h"
 

@@ -2,8 +2,8 @@
 // Warnings: what the reading has noted, told to the user.
 #pragma once
 
-#include "io/csv_writer.h"
-#include "io/notes.h"
+#include "io/tables/csv_writer.h"
+#include "model/notes.h"
 
 namespace mikromakro {
 

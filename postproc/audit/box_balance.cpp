@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "averaging/periodic_images.h"
-#include "io/error.h"
+#include "model/error.h"
 
 namespace mikromakro {
 namespace {

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "io/frame.h"
+#include "model/frame.h"
 
 namespace mikromakro {
 

@@ -2,7 +2,7 @@
 // Normal forces between discs beside what their overlaps let expect.
 #pragma once
 
-#include "io/frame.h"
+#include "model/frame.h"
 
 namespace mikromakro {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "io/table.h"
+#include "model/table.h"
 
 namespace mikromakro {
 

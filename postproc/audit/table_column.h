@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "io/table.h"
+#include "model/table.h"
 
 namespace mikromakro {
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "averaging/contact_lists.h"
-#include "averaging/volumes.h"
+#include "averaging/volumes/volumes.h"
 #include "averaging/weight.h"
 #include "fields/field_registry.h"
-#include "io/frame.h"
+#include "model/frame.h"
 
 namespace mikromakro {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "averaging/averager.h"
-#include "io/error.h"
+#include "model/error.h"
 
 namespace mikromakro {
 namespace {

@@ -5,8 +5,8 @@
 #include <functional>
 #include <limits>
 
-#include "averaging/error_decision.h"
 #include "averaging/time_average.h"
+#include "statistics/error_decision.h"
 
 namespace mikromakro {
 

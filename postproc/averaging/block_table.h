@@ -5,7 +5,7 @@
 
 #include "averaging/averager.h"
 #include "averaging/time_average.h"
-#include "io/csv_reader.h"
+#include "io/tables/csv_reader.h"
 
 namespace mikromakro {
 

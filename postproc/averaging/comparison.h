@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "io/table.h"
+#include "model/table.h"
 
 namespace mikromakro {
 

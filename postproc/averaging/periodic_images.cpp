@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/error.h"
+#include "model/error.h"
 
 namespace mikromakro {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "averaging/ordered_sums.h"
+#include "averaging/parallel/ordered_sums.h"
 
 namespace mikromakro {
 

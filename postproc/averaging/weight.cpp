@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "averaging/kernel_weight.h"
-#include "io/error.h"
-#include "io/nearest_name.h"
+#include "averaging/kernels/kernel_weight.h"
+#include "model/error.h"
+#include "model/nearest_name.h"
 
 namespace mikromakro {
 namespace {

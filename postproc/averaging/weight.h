@@ -6,7 +6,7 @@
 #include <string>
 
 #include "averaging/shares.h"
-#include "averaging/volumes.h"
+#include "averaging/volumes/volumes.h"
 
 namespace mikromakro {
 

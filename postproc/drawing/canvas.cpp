@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "io/error.h"
+#include "model/error.h"
 
 namespace mikromakro {
 namespace {

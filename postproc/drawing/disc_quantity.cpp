@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "io/error.h"
-#include "io/nearest_name.h"
+#include "model/error.h"
+#include "model/nearest_name.h"
 
 namespace mikromakro {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/column_map.h"
-#include "io/frame.h"
+#include "model/columns.h"
+#include "model/frame.h"
 
 namespace mikromakro {
 

@@ -11,7 +11,7 @@
 #include "averaging/periodic_images.h"
 #include "drawing/colour_bar.h"
 #include "drawing/scale_numbers.h"
-#include "io/error.h"
+#include "model/error.h"
 
 namespace mikromakro {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "drawing/canvas.h"
 #include "drawing/disc_quantity.h"
-#include "io/frame.h"
+#include "model/frame.h"
 
 namespace mikromakro {
 

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/column_map.h"
-#include "io/table.h"
+#include "model/columns.h"
+#include "model/table.h"
 
 namespace mikromakro {
 

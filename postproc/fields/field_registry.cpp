@@ -27,8 +27,8 @@
 #include "fields/velocity_gradient.h"
 #include "fields/velocity_gradient_fit.h"
 #include "fields/wall_force_density.h"
-#include "io/error.h"
-#include "io/nearest_name.h"
+#include "model/error.h"
+#include "model/nearest_name.h"
 
 namespace mikromakro {
 namespace {

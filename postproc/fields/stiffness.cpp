@@ -8,8 +8,10 @@
 namespace mikromakro {
 namespace {
 
-double quotient(double numerator, double denominator) {
-  return denominator == 0 ? std::numeric_limits<double>::quiet_NaN() : numerator / denominator;
+// `denominator` is a part of `strain`.
+double quotient(double numerator, double denominator, TensorRow strain) {
+  return is_rounding(denominator, strain) ? std::numeric_limits<double>::quiet_NaN()
+                                          : numerator / denominator;
 }
 
 }  // namespace
@@ -25,8 +27,8 @@ void Stiffness::solve(const VolumeData& volumes, const ConstRowsRef& numbers, Ro
   for (Eigen::Index row = 0; row < numbers.rows(); ++row) {
     const TensorRow stress = numbers_of(numbers, row, 0, 4);
     const TensorRow strain = numbers_of(numbers, row, 4, 4);
-    columns(row, 0) = quotient(trace(stress), trace(strain)) / unit;
-    columns(row, 1) = quotient(deviator(stress), deviator(strain)) / unit;
+    columns(row, 0) = quotient(trace(stress), trace(strain), strain) / unit;
+    columns(row, 1) = quotient(deviator(stress), deviator(strain), strain) / unit;
   }
 }
 

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "fit/exponential_profile.h"
-#include "io/error.h"
+#include "model/error.h"
+#include "statistics/exponential_profile.h"
 
 namespace mikromakro {
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "io/error.h"
+#include "model/error.h"
 
 namespace mikromakro {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/exponential_profile.h"
+#include "statistics/exponential_profile.h"
 
 namespace mikromakro {
 

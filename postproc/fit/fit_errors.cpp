@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "averaging/error_decision.h"
-#include "fit/student_t.h"
-#include "io/error.h"
+#include "model/error.h"
+#include "statistics/error_decision.h"
+#include "statistics/student_t.h"
 
 namespace mikromakro {
 namespace {

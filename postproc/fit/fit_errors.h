@@ -7,7 +7,7 @@
 #include <string>
 
 #include "averaging/block_table.h"
-#include "fit/exponential_profile.h"
+#include "statistics/exponential_profile.h"
 
 namespace mikromakro {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "averaging/block_errors.h"
-#include "io/csv_writer.h"
-#include "io/json_object.h"
+#include "io/tables/csv_writer.h"
+#include "io/tables/json_object.h"
 
 namespace mikromakro {
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "io/error.h"
+#include "model/error.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {

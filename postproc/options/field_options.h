@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fields/field_registry.h"
-#include "io/csv_writer.h"
+#include "io/tables/csv_writer.h"
 #include "options/volume_options.h"
 
 namespace mikromakro {

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 
-#include "averaging/volume_outlines.h"
-#include "io/error.h"
-#include "io/table_hdf5.h"
-#include "io/vtkhdf.h"
+#include "averaging/volumes/volume_outlines.h"
+#include "io/tables/table_hdf5.h"
+#include "io/tables/vtkhdf.h"
+#include "model/error.h"
 
 namespace mikromakro {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "io/csv_writer.h"
-#include "io/output_file.h"
+#include "io/files/output_file.h"
+#include "io/tables/csv_writer.h"
 
 namespace mikromakro {
 

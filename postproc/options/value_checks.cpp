@@ -10,8 +10,8 @@
 #include <limits>
 #include <optional>
 
-#include "io/error.h"
-#include "io/nearest_name.h"
+#include "model/error.h"
+#include "model/nearest_name.h"
 
 namespace mikromakro {
 namespace {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "averaging/grid_volumes.h"
-#include "averaging/ring_volumes.h"
-#include "averaging/sector_volumes.h"
-#include "io/error.h"
+#include "averaging/volumes/grid_volumes.h"
+#include "averaging/volumes/ring_volumes.h"
+#include "averaging/volumes/sector_volumes.h"
+#include "model/error.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "averaging/averager.h"
-#include "io/csv_writer.h"
+#include "io/tables/csv_writer.h"
 
 namespace mikromakro {
 

@@ -10,9 +10,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "averaging/error_trials.h"
 #include "coverage_scenes.h"
 #include "fit_coverage.h"
+#include "statistics/error_trials.h"
 
 namespace mikromakro::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "averaging/error_trials.h"
+#include "statistics/error_trials.h"
 
 namespace mikromakro::bench {
 

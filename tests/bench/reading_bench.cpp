@@ -21,10 +21,10 @@
 #include <sstream>
 #include <vector>
 
-#include "averaging/ordered_sums.h"
-#include "averaging/ring_volumes.h"
+#include "averaging/parallel/ordered_sums.h"
+#include "averaging/volumes/ring_volumes.h"
 #include "dump_scene.h"
-#include "io/snapshot_writer.h"
+#include "io/snapshot/snapshot_writer.h"
 
 namespace mikromakro::bench {
 namespace {

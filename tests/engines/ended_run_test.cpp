@@ -12,8 +12,8 @@
 #include <fstream>
 #include <thread>
 
-#include "io/hdf5_file.h"
-#include "io/snapshot_reader.h"
+#include "io/hdf5/hdf5_file.h"
+#include "io/snapshot/snapshot_reader.h"
 #include "snapshot_run.h"
 
 namespace mikromakro::test {

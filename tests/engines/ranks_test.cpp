@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "averaging/averager.h"
-#include "averaging/ring_volumes.h"
+#include "averaging/volumes/ring_volumes.h"
 #include "engine.h"
 #include "packing.h"
 

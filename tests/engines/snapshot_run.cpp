@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "engine_lines.h"
-#include "io/frame_stream.h"
+#include "io/frames/frame_stream.h"
 
 namespace mikromakro::test {
 namespace {

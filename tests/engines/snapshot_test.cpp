@@ -10,7 +10,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "io/hdf5_file.h"
+#include "io/hdf5/hdf5_file.h"
 #include "snapshot_run.h"
 
 namespace mikromakro::test {

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <functional>
 
-#include "io/error.h"
+#include "model/error.h"
 
 namespace mikromakro {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "averaging/averager.h"
-#include "averaging/ring_volumes.h"
+#include "averaging/volumes/ring_volumes.h"
 #include "averaging/weight.h"
 
 namespace mikromakro {

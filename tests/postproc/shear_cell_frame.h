@@ -2,7 +2,7 @@
 // A snapshot of the shear cell: a real, disordered packing.
 #pragma once
 
-#include "io/frame_stream.h"
+#include "io/frames/frame_stream.h"
 #include "ring_average.h"
 
 namespace mikromakro {

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "audit/cell_balance.h"
-#include "averaging/grid_volumes.h"
-#include "io/error.h"
+#include "averaging/volumes/grid_volumes.h"
 #include "measured_error.h"
+#include "model/error.h"
 #include "ring_average.h"
 
 namespace mikromakro {

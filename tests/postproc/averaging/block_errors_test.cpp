@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "averaging/error_trials.h"
 #include "measured_error.h"
+#include "statistics/error_trials.h"
 
 namespace mikromakro {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <memory>
 
-#include "averaging/grid_volumes.h"
-#include "averaging/sector_volumes.h"
+#include "averaging/volumes/grid_volumes.h"
+#include "averaging/volumes/sector_volumes.h"
 #include "measured_error.h"
 #include "ring_average.h"
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "averaging/disc_circle_area.h"
 #include "averaging/time_average.h"
-#include "io/csv_reader.h"
+#include "averaging/volumes/disc_circle_area.h"
+#include "io/tables/csv_reader.h"
 #include "measured_error.h"
 
 namespace mikromakro {

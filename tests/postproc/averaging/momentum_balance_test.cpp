@@ -7,7 +7,7 @@
 #include <memory>
 #include <random>
 
-#include "averaging/grid_volumes.h"
+#include "averaging/volumes/grid_volumes.h"
 #include "measured_error.h"
 #include "ring_average.h"
 

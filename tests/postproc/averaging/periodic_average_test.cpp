@@ -4,10 +4,10 @@
 
 #include <numbers>
 
-#include "averaging/grid_volumes.h"
-#include "averaging/sector_volumes.h"
-#include "io/error.h"
+#include "averaging/volumes/grid_volumes.h"
+#include "averaging/volumes/sector_volumes.h"
 #include "measured_error.h"
+#include "model/error.h"
 #include "periodic_packing.h"
 
 namespace mikromakro {

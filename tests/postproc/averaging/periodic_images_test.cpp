@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/error.h"
+#include "model/error.h"
 
 namespace mikromakro {
 namespace {

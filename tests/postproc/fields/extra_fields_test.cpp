@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "io/error.h"
 #include "measured_error.h"
+#include "model/error.h"
 #include "ring_average.h"
 
 namespace mikromakro {

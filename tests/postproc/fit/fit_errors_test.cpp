@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fit/fit_trials.h"
-#include "fit/student_t.h"
 #include "measured_error.h"
+#include "statistics/student_t.h"
 
 namespace mikromakro {
 namespace {

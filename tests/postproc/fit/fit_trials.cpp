@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "averaging/block_errors.h"
-#include "fit/student_t.h"
+#include "statistics/student_t.h"
 
 namespace mikromakro {
 namespace {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "averaging/averager.h"
-#include "averaging/ring_volumes.h"
 #include "averaging/time_average.h"
-#include "io/error.h"
-#include "io/frame_stream.h"
+#include "averaging/volumes/ring_volumes.h"
+#include "io/frames/frame_stream.h"
+#include "model/error.h"
 #include "text_file.h"
 
 namespace mikromakro {

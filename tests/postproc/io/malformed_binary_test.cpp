@@ -8,7 +8,7 @@
 #include <random>
 
 #include "corpus.h"
-#include "io/snapshot_writer.h"
+#include "io/snapshot/snapshot_writer.h"
 
 // HDF5 itself forgets memory where it meets damage.
 extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier)

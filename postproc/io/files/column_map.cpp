@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "io/files/column_map.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "model/nearest_name.h"
+
+namespace mikromakro {
+namespace {
+
+// Columns of stock dumps that have no use in the plane, accepted so that a list can follow the stock names.
+constexpr std::string_view ignored_particle_names[] = {"z", "vz", "omegax", "omegay", "fx", "fy", "fz"};
+
+int slot_of(std::string_view name, const ColumnNames& names) {
+  const auto found = std::find(names.known.begin(), names.known.end(), name);
+  return found == names.known.end() ? -1 : static_cast<int>(found - names.known.begin());
+}
+
+ColumnSet bit_of(int slot) {
+  return slot < 0 ? 0 : ColumnSet{1} << static_cast<unsigned>(slot);
+}
+
+void append(ColumnMap& map, int slot) {
+  map.given |= bit_of(slot);
+  map.slot_of_column.push_back(slot);
+}
+
+}  // namespace
+
+const ColumnNames& particle_names() {
+  static constexpr ColumnNames names{particle_column_names, ignored_particle_names, "--particle-columns"};
+  return names;
+}
+
+const ColumnNames& contact_names() {
+  static constexpr ColumnNames names{contact_read_names, {}, "--contact-columns"};
+  return names;
+}
+
+const ColumnNames& wall_contact_names() {
+  static constexpr ColumnNames names{contact_read_names, {}, "--wall-contact-columns"};
+  return names;
+}
+
+ColumnMap map_header(const std::vector<std::string>& header, const ColumnNames& names, const Place& place) {
+  if (header.empty())
+    throw bad_input(place, "no column names", fmt::format("names after the label, or {}", names.option),
+                    "none");
+  ColumnMap map;
+  for (std::size_t column = 0; column < header.size(); ++column) {
+    const int slot = slot_of(header[column], names);
+    const bool again = (map.given & bit_of(slot)) != 0;
+    if (again) map.repeats.push_back({column, slot});
+    append(map, again ? -1 : slot);
+  }
+  return map;
+}
+
+ColumnMap map_option(const std::vector<std::string>& list, std::size_t columns, const ColumnNames& names,
+                     const Place& place) {
+  if (columns > 0 && list.size() != columns) {
+    throw bad_input(place, fmt::format("{} does not fit the file", names.option),
+                    fmt::format("{} names", columns),
+                    list.size() == 1 ? "1 name" : fmt::format("{} names", list.size()));
+  }
+  ColumnMap map;
+  for (const std::string& name : list) {
+    const int slot = slot_of(name, names);
+    const bool skipped =
+        name == "-" || std::find(names.ignored.begin(), names.ignored.end(), name) != names.ignored.end();
+    if (slot < 0 && !skipped) {
+      throw bad_input({names.option}, "unknown column name",
+                      fmt::format("one of {} or -", fmt::join(names.known, " ")),
+                      in_quotes_with_guess(name, names.known));
+    }
+    if ((map.given & bit_of(slot)) != 0)
+      throw bad_input({names.option}, "column named twice", "each name once", in_quotes(name));
+    append(map, slot);
+  }
+  return map;
+}
+
+void keep_columns(ColumnMap& map, ColumnSet columns) {
+  map.given &= columns;
+  for (int& slot : map.slot_of_column)
+    if ((bit_of(slot) & ~columns) != 0) slot = -1;
+  std::erase_if(map.repeats, [&](const auto& repeat) { return (bit_of(repeat.slot) & columns) == 0; });
+}
+
+void require_columns(const ColumnMap& map, ColumnSet needed, const ColumnNames& names, const Place& place) {
+  std::vector<std::string_view> missing;
+  std::vector<std::string_view> given;
+  for (std::size_t slot = 0; slot < names.known.size(); ++slot) {
+    const ColumnSet bit = ColumnSet{1} << slot;
+    if ((map.given & bit) != 0) given.push_back(names.known[slot]);
+    if ((needed & bit & ~map.given) != 0) missing.push_back(names.known[slot]);
+  }
+  if (missing.empty()) return;
+  const bool no_radius = std::find(missing.begin(), missing.end(), "radius") != missing.end();
+  const std::string way_out =
+      names.option.empty()
+          ? ""
+          : fmt::format(" ({}name them with {})",
+                        no_radius ? "dump the engine's radius or diameter, or " : "", names.option);
+  throw bad_input(place, "columns are missing" + way_out, fmt::format("{}", fmt::join(missing, " ")),
+                  given.empty() ? "none that is known" : fmt::format("only {}", fmt::join(given, " ")));
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The frames of several files of one kind as one sequence.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/error.h"
+#include "model/notes.h"
+
+namespace mikromakro {
+
+/// A sequence of frames, whatever reads them.
+template <typename Header, typename Block>
+class FrameFiles {
+ public:
+  FrameFiles() = default;
+  FrameFiles(const FrameFiles&) = delete;
+  FrameFiles& operator=(const FrameFiles&) = delete;
+  virtual ~FrameFiles() = default;
+
+  virtual bool next(Header& header) = 0;
+  /// The rows below that header; nothing where a cut file ends among them.
+  virtual std::optional<Block> take_rows(const Header& header) = 0;
+  /// The file of that header, and all of them in a word.
+  virtual const std::string& file() const = 0;
+  virtual std::string name() const = 0;
+  virtual std::int64_t bytes_read() const = 0;
+};
+
+/// Files in the order in which they are given, which is that of their first frames. `Reader` opens a file by
+/// its name and has a Header that tells its place in time (`order()`) and its line.
+///
+/// Steps come again where a run was continued from a restart file: frames that a later one replaces, since it
+/// is of the same step or an earlier one, do not count. They can only be told when all files were looked
+/// through before, which `look_through` asks for; otherwise such a step throws (Kind::steps_come_again).
+template <typename Reader>
+class FileSequence : public FrameFiles<typename Reader::Header, typename Reader::Block> {
+ public:
+  using Header = typename Reader::Header;
+  using Block = typename Reader::Block;
+  using Order = decltype(Header().order());
+
+  FileSequence(std::vector<std::string> files, bool look_through, std::shared_ptr<Notes> notes)
+      : files_(std::move(files)), notes_(std::move(notes)) {
+    if (look_through) find_replaced();
+  }
+
+  bool next(Header& header) override {
+    while (next_of_all(header)) {
+      ++frames_;
+      if (!replaced_.empty() && replaced_[frames_ - 1]) {
+        notes_->add(fmt::format("{}: {}", name(), replaced_text), header.step);
+        continue;
+      }
+      check_order(header);
+      last_ = header.order();
+      return true;
+    }
+    return false;
+  }
+
+  std::optional<Block> take_rows(const Header& header) override { return reader_->take_rows(header); }
+  const std::string& file() const override { return reader_->file(); }
+  std::string name() const override {
+    return files_.size() == 1 ? files_[0] : fmt::format("{} to {}", files_.front(), files_.back());
+  }
+  std::int64_t bytes_read() const override { return bytes_before_ + (reader_ ? reader_->bytes_read() : 0); }
+
+ private:
+  static constexpr std::string_view replaced_text =
+      "frames whose steps come again later in the files (a run that went on from a restart file) are left "
+      "out";
+
+  bool next_of_all(Header& header) {
+    while (!reader_ || !reader_->next_header(header)) {
+      if (reader_ && reader_->cut())
+        notes_->add(reader_->file() + ": the compressed file is cut: only its complete frames count");
+      if (opened_ == files_.size()) return false;
+      bytes_before_ = bytes_read();
+      reader_ = std::make_unique<Reader>(files_[opened_++]);
+    }
+    return true;
+  }
+
+  void check_order(const Header& header) const {
+    if (!last_ || header.order() > *last_) return;
+    throw Error(Error::Kind::steps_come_again,
+                bad_input({reader_->file(), header.line}, Reader::not_ascending,
+                          fmt::format("more than {}", *last_), fmt::format("{}", header.order()))
+                    .what());
+  }
+
+  // Of all complete frames, in the order of the files: whether a later one is not later in time.
+  void find_replaced() {
+    std::vector<Order> orders;
+    for (const std::string& file : files_) {
+      Reader reader(file);
+      Header header;
+      while (reader.next_header(header)) {
+        // An incomplete frame replaces none.
+        const bool complete = reader.take_rows(header).has_value();
+        orders.push_back(complete ? header.order() : std::numeric_limits<Order>::max());
+      }
+    }
+    replaced_.resize(orders.size());
+    Order earliest = std::numeric_limits<Order>::max();
+    for (std::size_t i = orders.size(); i-- > 0;) {
+      replaced_[i] = orders[i] >= earliest;
+      earliest = std::min(earliest, orders[i]);
+    }
+  }
+
+  std::vector<std::string> files_;
+  std::shared_ptr<Notes> notes_;
+  std::vector<bool> replaced_;
+  std::size_t frames_ = 0;
+  std::size_t opened_ = 0;
+  std::unique_ptr<Reader> reader_;
+  std::optional<Order> last_;
+  std::int64_t bytes_before_ = 0;
+};
+
+}  // namespace mikromakro

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "io/snapshot/snapshot_parameters.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "io/snapshot/snapshot_layout.h"
+#include "model/error.h"
+
+namespace mikromakro {
+namespace {
+
+std::string path_of(const SnapshotParameters::Numbers& numbers) {
+  return snapshot::parameters + "/" + numbers.name;
+}
+
+std::string text_of(const std::vector<std::string>& words) {
+  return fmt::format("'{}'", fmt::join(words, ", "));
+}
+
+std::string text_of(const std::vector<double>& values) {
+  return fmt::format("{}", fmt::join(values, " "));
+}
+
+void check(const std::string& file, const std::string& name, const std::string& there,
+           const std::string& wanted) {
+  if (there == wanted) return;
+  throw bad_input({file}, fmt::format("is of another system, {} differs", name), there, wanted);
+}
+
+// Empty: without one, or none there.
+std::string unit_of(const Hdf5File& file, const std::string& name) {
+  const std::string path = snapshot::parameters + "/" + name;
+  if (!file.has(path) || !file.has_attribute(path, "unit")) return "";
+  return fmt::format("{}", fmt::join(file.text_attribute(path, "unit"), " "));
+}
+
+// None where there are none.
+std::vector<double> numbers_in(const Hdf5File& file, const std::string& name) {
+  const std::string path = snapshot::parameters + "/" + name;
+  if (!file.has(path)) return {};
+  const Hdf5Dataset dataset = file.dataset(path);
+  const Hdf5Shape shape = dataset.shape();
+  std::vector<double> numbers(
+      std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()));
+  dataset.read<double>({Hdf5Shape(shape.size(), 0), shape}, numbers);
+  if (numbers.empty())
+    throw bad_input({dataset.place()}, "no numbers in the dataset", "one or more, or no dataset", "0");
+  return numbers;
+}
+
+Error wrong_constant(const std::string& file, const std::string& name, std::string_view expected,
+                     const std::string& got) {
+  return bad_input({file}, fmt::format("{}/{}", snapshot::parameters, name), expected, got);
+}
+
+void check_unit(const Hdf5File& file, const std::string& name, std::string_view expected,
+                const std::string& place) {
+  const std::string unit = unit_of(file, name);
+  if (unit != expected) throw wrong_constant(place, name, fmt::format("in {}", expected), in_quotes(unit));
+}
+
+double height_in(const Hdf5File& file, const std::string& place) {
+  const std::vector<double> heights = numbers_in(file, "height");
+  if (heights.empty()) return 0;
+  check_unit(file, "height", "m", place);
+  if (heights.size() != 1 || !(heights[0] > 0) || !std::isfinite(heights[0]))
+    throw wrong_constant(place, "height", "one length above 0", text_of(heights));
+  return heights[0];
+}
+
+// Of each pair of types; none where there are none.
+std::vector<double> table_in(const Hdf5File& file, const std::string& name, const std::string& place) {
+  std::vector<double> numbers = numbers_in(file, name);
+  if (numbers.empty()) return numbers;
+  const Hdf5Shape shape = file.dataset(snapshot::parameters + "/" + name).shape();
+  if (shape.size() != 2 || shape[0] != shape[1])
+    throw wrong_constant(place, name, "a table of types x types", fmt::format("{}", fmt::join(shape, " x ")));
+  if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x) && x >= 0; }))
+    throw wrong_constant(place, name, "numbers of 0 or more", text_of(numbers));
+  return numbers;
+}
+
+}  // namespace
+
+RunConstants read_constants(const Hdf5File& file, const std::string& name) {
+  RunConstants constants;
+  if (!file.has(snapshot::parameters)) return constants;
+  if (file.has_attribute(snapshot::parameters, "units")) {
+    const auto units = file.text_attribute(snapshot::parameters, "units");
+    if (units.size() != 1)
+      throw wrong_constant(name, "units", "the name of a system of units",
+                           fmt::format("{} words", units.size()));
+    constants.units = units.front();
+  }
+  constants.height = height_in(file, name);
+  constants.friction = table_in(file, "coefficientFriction", name);
+  constants.normal_stiffness = table_in(file, "kn", name);
+  constants.hertz = unit_of(file, "kn") == "N/m^2";
+  if (constants.hertz)
+    constants.normal_stiffness.clear();
+  else if (!constants.normal_stiffness.empty())
+    check_unit(file, "kn", "N/m", name);
+  return constants;
+}
+
+void write_parameters(Hdf5File& file, const SnapshotParameters& parameters) {
+  file.add_group(snapshot::parameters);
+  if (!parameters.engine.empty()) file.attribute("/h5md/creator", "engine", parameters.engine);
+  for (const auto& [name, words] : parameters.words) {
+    if (name == "units" && words.size() == 1)  // which averages read
+      file.guarded_attribute(snapshot::parameters, name, words.front());
+    else if (words.size() == 1)
+      file.attribute(snapshot::parameters, name, words.front());
+    else
+      file.attribute(snapshot::parameters, name, words);
+  }
+  for (const auto& numbers : parameters.numbers) {
+    file.add<double>(path_of(numbers), numbers.values, numbers.shape);
+    if (!numbers.unit.empty()) file.guarded_attribute(path_of(numbers), "unit", numbers.unit);
+  }
+}
+
+void check_parameters(const Hdf5File& file, const std::string& name, const SnapshotParameters& parameters) {
+  for (const auto& [word, words] : parameters.words) {
+    const bool given = file.has(snapshot::parameters) && file.has_attribute(snapshot::parameters, word);
+    check(name, word, given ? text_of(file.text_attribute(snapshot::parameters, word)) : "none",
+          text_of(words));
+  }
+  for (const auto& numbers : parameters.numbers) {
+    if (!file.has(path_of(numbers))) check(name, numbers.name, "none", text_of(numbers.values));
+    const Hdf5Dataset dataset = file.dataset(path_of(numbers));
+    if (dataset.shape() != numbers.shape)
+      check(name, numbers.name, fmt::format("a table of {}", fmt::join(dataset.shape(), " x ")),
+            fmt::format("a table of {}", fmt::join(numbers.shape, " x ")));
+    std::vector<double> there(numbers.values.size());
+    dataset.read<double>({Hdf5Shape(numbers.shape.size(), 0), numbers.shape}, there);
+    check(name, numbers.name, text_of(there), text_of(numbers.values));
+  }
+}
+
+}  // namespace mikromakro

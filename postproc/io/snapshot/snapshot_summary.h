@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What is in a snapshot file.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/files/column_map.h"
+#include "io/hdf5/hdf5_file.h"
+
+namespace mikromakro {
+
+/// What is in a snapshot file, told without reading its frames.
+struct SnapshotSummary {
+  std::vector<std::int64_t> steps;
+  std::vector<double> times;                  ///< s; empty: the file has none
+  std::vector<std::int64_t> contact_offsets;  ///< empty: no contacts
+  std::uint64_t most_particles = 0;
+  ColumnSet particles_given = 0;
+  ColumnSet contacts_given = 0;
+  std::vector<Hdf5Dataset> elements;  ///< in the order of snapshot::elements
+  std::vector<Hdf5Dataset> columns;   ///< by ContactColumn; empty: no contacts
+};
+/// Throws where datasets have other shapes or units than those of the layout, or do not fit together.
+SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& name);
+
+}  // namespace mikromakro

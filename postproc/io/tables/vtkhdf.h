@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Tables of averages for ParaView.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "model/table.h"
+
+namespace mikromakro {
+
+/// A polygon in the plane (m) that shows the values of one row of a table.
+struct Outline {
+  std::vector<Eigen::Vector2d> corners;
+  Eigen::Index row = 0;
+};
+
+/// VTK's HDF5 layout
+/// (https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html#vtkhdf-file-format), UnstructuredGrid
+/// version 1.0: polygons with every column of the table as cell data. ParaView 5.11 and later open it.
+void write_vtkhdf(const std::string& file, const Table& table, const std::vector<Outline>& outlines);
+
+}  // namespace mikromakro

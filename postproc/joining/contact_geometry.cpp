@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "joining/contact_geometry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "joining/contact_pairs.h"
+#include "joining/contact_tolerance.h"
+#include "joining/row_branch.h"
+
+namespace mikromakro {
+namespace {
+
+using enum ContactColumn;
+using Eigen::Vector2d;
+
+constexpr ColumnSet normal_columns = column_set(nx, ny);
+constexpr ColumnSet place_columns = column_set(x1, y1, x2, y2);
+constexpr ColumnSet whole_geometry = normal_columns | column_set(overlap);
+constexpr ColumnSet force_columns = column_set(fx, fy);
+constexpr ColumnSet components_of_force = column_set(fn, ft);
+constexpr double six_digits = 2e-5;
+
+std::string text_of(const Vector2d& vector) {
+  return fmt::format("{:.9g} {:.9g}", vector.x(), vector.y());
+}
+
+std::string pair_name(const Contact& contact) {
+  return contact.with_wall() ? fmt::format("disc {} and wall {}", contact.id1, contact.id2)
+                             : fmt::format("discs {} and {}", contact.id1, contact.id2);
+}
+
+class Joiner {
+ public:
+  Joiner(const ContactRows& rows, const ContactDiscs& discs, const ContactRules& rules)
+      : rows_(rows),
+        discs_(discs),
+        rules_(rules),
+        tolerance_(rows, discs.particles, discs.box, discs.place_error),
+        branch_(rows, discs.box, tolerance_) {
+    const ColumnSet given = rows.given_in_all();
+    const auto all = [given](ColumnSet columns) { return (columns & ~given) == 0; };
+    const auto none = [given](ColumnSet columns) { return (columns & given) == 0; };
+    plain_ = rows.wall_file.empty() && all(whole_geometry | force_columns) &&
+             none(column_set(dist, periodic, shearx));
+    with_places_ = all(place_columns);
+    with_components_ = !none(components_of_force);
+    plain_ = plain_ && (with_components_ ? all(components_of_force) : true);
+  }
+
+  /// False where the row is no contact.
+  bool join(std::size_t i, Contact& contact) const {
+    if (plain_ && join_plain(rows_.rows[i], contact)) return true;
+    const RowView row{rows_.rows[i], rows_.given_in(i), i};
+    contact.id1 = static_cast<std::int64_t>(row[id1]);
+    contact.id2 = static_cast<std::int64_t>(row[id2]);
+    contact.index1 = find(contact.id1, i);
+    contact.index2 = contact.with_wall() ? -1 : find(contact.id2, i);
+    contact.normal = {row[nx], row[ny]};
+    contact.overlap = row[overlap];
+    const double slack = contact.with_wall() ? join_wall(row, contact) : join_discs(row, contact);
+    set_force(row, contact);
+    check_spring(row, contact);
+    check_components(row, contact, slack);
+    return is_contact(row, contact, slack);
+  }
+
+  /// No law of discs is made for an overlap of more than half of the smaller radius.
+  bool is_deep(const Contact& contact) const {
+    const double one = disc(contact.index1).radius;
+    const double smaller = contact.with_wall() ? one : std::min(one, disc(contact.index2).radius);
+    return contact.overlap > 0.5 * smaller;
+  }
+
+ private:
+  int find(std::int64_t id, std::size_t i) const {
+    const int index = discs_.ids.find(id);
+    if (index < 0)
+      throw bad_input(rows_.place(i), "contact with an unknown id", "an id of the particle dump",
+                      fmt::format("{}", id));
+    return index;
+  }
+
+  const Particle& disc(int index) const { return discs_.particles[static_cast<std::size_t>(index)]; }
+
+  /// What nearly all rows of most files are, a contact of two discs with normal, overlap and force that fit,
+  /// in a few operations. False where it is anything else.
+  bool join_plain(const ContactRow& row, Contact& contact) const {
+    contact.id1 = static_cast<std::int64_t>(row[id1]);
+    contact.id2 = static_cast<std::int64_t>(row[id2]);
+    contact.index1 = discs_.ids.find(contact.id1);
+    contact.index2 = discs_.ids.find(contact.id2);
+    contact.normal = {row[nx], row[ny]};
+    contact.overlap = row[overlap];
+    contact.force = {row[fx], row[fy]};
+    contact.spring = row[xi];
+    if (contact.with_wall() || contact.index1 < 0 || contact.index2 < 0 || contact.id1 == contact.id2)
+      return false;
+    const Particle& one = disc(contact.index1);
+    const Particle& two = disc(contact.index2);
+    const double reach = one.radius + two.radius;
+    const double smaller = std::min(one.radius, two.radius);
+    const double slack = tolerance_.of_geometry(smaller, reach, contact.overlap, false);
+    const double allowed = tolerance_.of_place(smaller);
+    return contact.overlap > 0 && fits(contact, two.position - one.position, reach, slack) &&
+           (!with_places_ || (is_at(row, x1, y1, one, allowed) && is_at(row, x2, y2, two, allowed))) &&
+           (!with_components_ || are_components(row, contact));
+  }
+
+  bool fits(const Contact& contact, const Vector2d& between, double reach, double slack) const {
+    return branch_.images().nearest(between - (reach - contact.overlap) * contact.normal).squaredNorm() <=
+           slack * slack;
+  }
+
+  /// Normal and overlap of two discs, checked or derived; gives the tolerance.
+  double join_discs(const RowView& row, Contact& contact) const {
+    const Particle& one = disc(contact.index1);
+    const Particle& two = disc(contact.index2);
+    if (contact.id1 == contact.id2 && !branch_.images().any())
+      throw bad_input(rows_.place(row.index), "a disc in contact with itself", "two ids",
+                      fmt::format("twice {}", contact.id1));
+    const bool by_row = row.has(place_columns);
+    if (by_row) {
+      check_place(row, x1, y1, one);
+      check_place(row, x2, y2, two);
+    }
+    check_flag(row);
+    const double reach = one.radius + two.radius;
+    const double told = row.has(overlap) ? row[overlap] : row.has(dist) ? row[dist] : not_given;
+    const double slack = tolerance_.of_geometry(std::min(one.radius, two.radius), reach, told, by_row);
+    if (!by_row && row.has(whole_geometry) && !row.has(dist) &&
+        fits(contact, two.position - one.position, reach, slack))
+      return slack;
+    check_branch(row, branch_.of(row, two.position - one.position, reach, slack), reach, slack, contact);
+    return slack;
+  }
+
+  /// The same of a disc and a wall, where the row tells enough.
+  double join_wall(const RowView& row, Contact& contact) const {
+    const Particle& one = disc(contact.index1);
+    const double told = row.has(overlap) ? row[overlap] : not_given;
+    const double slack = tolerance_.of_geometry(one.radius, one.radius, told, true);
+    if (!std::isnan(row[x1]) && !std::isnan(row[x2])) {
+      check_place(row, x1, y1, one);
+      Vector2d branch = row.place(x2, y2) - row.place(x1, y1);
+      if (branch.norm() > one.radius) branch = branch_.images().nearest(branch);
+      check_branch(row, branch, one.radius, slack, contact);
+      return slack;
+    }
+    const bool overlap_needed = (rows_.needed & column_set(overlap)) != 0;
+    if (!row.has(normal_columns) || (overlap_needed && !row.has(overlap)))
+      throw bad_input(rows_.place(row.index), "wall contact without geometry",
+                      "columns nx ny overlap or x1 y1 x2 y2", "neither");
+    return slack;
+  }
+
+  bool is_at(const ContactRow& row, ContactColumn x, ContactColumn y, const Particle& disc,
+             double allowed) const {
+    const Vector2d apart = branch_.images().nearest(Vector2d(row[x], row[y]) - disc.position);
+    return std::abs(apart.x()) <= allowed && std::abs(apart.y()) <= allowed;
+  }
+
+  /// Within the digits of the force alone, as the normal is exact.
+  static bool are_components(const ContactRow& row, const Contact& contact) {
+    const double f_n = -contact.force.dot(contact.normal);
+    const double f_t = contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x()));
+    const double allowed = six_digits * contact.force.lpNorm<1>();
+    return std::abs(row[fn] - f_n) <= allowed && std::abs(row[ft] - f_t) <= allowed;
+  }
+
+  void check_place(const RowView& row, ContactColumn x, ContactColumn y, const Particle& disc) const {
+    const double allowed = tolerance_.of_place(disc.radius);
+    if (is_at(row.numbers, x, y, disc, allowed)) return;
+    const Vector2d told = row.place(x, y);
+    throw bad_input(
+        rows_.place(row.index),
+        fmt::format("disc {} is not where the row says (another run or step, or ids that have "
+                    "lost digits?)",
+                    disc.id),
+        fmt::format("{} {} = {} within {:.2g} m", contact_read_names[static_cast<std::size_t>(x)],
+                    contact_read_names[static_cast<std::size_t>(y)], text_of(disc.position), allowed),
+        text_of(told));
+  }
+
+  void check_flag(const RowView& row) const {
+    if (!row.has(periodic) || row[periodic] == 0) return;
+    if (row[periodic] != 1)
+      throw bad_input(rows_.place(row.index), "periodic is a flag", "0 or 1",
+                      fmt::format("{}", row[periodic]));
+  }
+
+  /// Sets what the row does not tell, checks what it tells.
+  void check_branch(const RowView& row, const Vector2d& branch, double reach, double slack,
+                    Contact& contact) const {
+    const double distance = branch.norm();
+    if (!row.has(normal_columns)) {
+      if (distance == 0)
+        throw bad_input(rows_.place(row.index), "contact of coinciding centres", "a distance > 0", "0");
+      contact.normal = branch / distance;
+    } else if (const Vector2d apart = branch - distance * contact.normal;
+               !(std::abs(apart.x()) <= slack && std::abs(apart.y()) <= slack)) {
+      throw bad_input(rows_.place(row.index), fmt::format("the normal is not that of {}", pair_name(contact)),
+                      fmt::format("nx ny = {} within {:.2g}", text_of(branch / distance), slack / distance),
+                      text_of(contact.normal));
+    }
+    check_told(row, "dist", row.has(dist) ? row[dist] : distance, distance, slack, contact);
+    const double derived = reach - (row.has(dist) && !row.has(place_columns) ? row[dist] : distance);
+    if (!row.has(overlap)) contact.overlap = derived;
+    check_told(row, "overlap", contact.overlap, derived, slack, contact);
+  }
+
+  void check_told(const RowView& row, std::string_view name, double told, double right, double slack,
+                  const Contact& contact) const {
+    if (std::abs(told - right) <= slack) return;
+    throw bad_input(rows_.place(row.index), fmt::format("{} is not that of {}", name, pair_name(contact)),
+                    fmt::format("{:.9g} within {:.2g} m", right, slack), fmt::format("{:.9g}", told));
+  }
+
+  /// Stock LIGGGHTS keeps its spring in the plane of the contact; a force along the normal, in the columns of
+  /// a spring, is none.
+  void check_spring(const RowView& row, const Contact& contact) const {
+    if (!row.has(column_set(shearx, sheary))) return;
+    const Vector2d shear = row.place(shearx, sheary);
+    constexpr double turned = 0.05;  // by the normal since the step in which the spring was turned with it
+    if (!(std::abs(shear.dot(contact.normal)) > turned * shear.norm())) return;
+    throw bad_input(
+        rows_.place(row.index),
+        fmt::format("shearx sheary is no spring of {} (columns of another quantity?)", pair_name(contact)),
+        fmt::format("a vector along the tangent {}", text_of({-contact.normal.y(), contact.normal.x()})),
+        text_of(shear));
+  }
+
+  static void set_force(const RowView& row, Contact& contact) {
+    const Vector2d tangent(-contact.normal.y(), contact.normal.x());
+    contact.force = row.has(force_columns) || !row.has(components_of_force)
+                        ? row.place(fx, fy)
+                        : Vector2d(-row[fn] * contact.normal + row[ft] * tangent);
+    // The spring of stock LIGGGHTS is the slip of 1 against 2, too.
+    contact.spring = row.has(column_set(shearx, sheary)) && !row.has(xi)
+                         ? row.place(shearx, sheary).dot(tangent)
+                         : row[xi];
+  }
+
+  void check_components(const RowView& row, const Contact& contact, double slack) const {
+    if (!row.has(force_columns) || (row.given & components_of_force) == 0) return;
+    const Vector2d tangent(-contact.normal.y(), contact.normal.x());
+    const Vector2d right(-contact.force.dot(contact.normal), contact.force.dot(tangent));
+    const Vector2d told(row.has(fn) ? row[fn] : right.x(), row.has(ft) ? row[ft] : right.y());
+    // Both are rounded, to six digits at least, and turned by what a normal is off that the row does not
+    // give.
+    const double turned = row.has(normal_columns) ? 0 : 2 * slack / disc(contact.index1).radius;
+    const double allowed = contact.force.lpNorm<1>() * (six_digits + turned);
+    if ((told - right).lpNorm<Eigen::Infinity>() <= allowed) return;
+    throw bad_input(rows_.place(row.index),
+                    fmt::format("fn ft is not that of fx fy of {}", pair_name(contact)),
+                    fmt::format("{} within {:.2g} N", text_of(right), allowed), text_of(told));
+  }
+
+  bool is_contact(const RowView& row, const Contact& contact, double slack) const {
+    if (!(contact.overlap <= 0)) return true;
+    const bool forces_known = row.has(force_columns) || row.has(components_of_force);
+    if (forces_known && contact.force.isZero(0)) return false;
+    if (contact.overlap >= -slack) return true;
+    if (!forces_known) return false;
+    if (rules_.distant) return true;
+    throw bad_input(rows_.place(row.index),
+                    fmt::format("a force between {} that do not touch (where such forces are meant, cohesion "
+                                "say, give --distant-contacts)",
+                                pair_name(contact)),
+                    fmt::format("an overlap > {:.2g} m or no force", -slack),
+                    fmt::format("{:.9g}", contact.overlap));
+  }
+
+  const ContactRows& rows_;
+  const ContactDiscs& discs_;
+  const ContactRules& rules_;
+  ContactTolerance tolerance_;
+  RowBranch branch_;
+  bool plain_ = false;  ///< rows without anything that join_plain does not look at
+  bool with_places_ = false, with_components_ = false;
+};
+
+/// Springs pull back: -f_t xi > 0. A tangential force in their columns does not, and a frame full of contacts
+/// tells.
+void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>& contacts) {
+  constexpr std::size_t enough = 20;
+  if ((rows.given & column_set(shearx, sheary)) != column_set(shearx, sheary) || contacts.size() < enough)
+    return;
+  double along = 0, all = 0;
+  for (const Contact& contact : contacts) {
+    const double work = contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x())) * contact.spring;
+    if (std::isnan(work)) continue;
+    along += work;
+    all += std::abs(work);
+  }
+  if (along > 0.5 * all)
+    throw bad_input(rows.place(0), "shearx sheary point along the tangential forces: no springs",
+                    "springs, which pull back (f_t = -k_t shear)", "another quantity");
+}
+
+}  // namespace
+
+std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& discs,
+                                   const ContactRules& rules) {
+  const Joiner joiner(rows, discs, rules);
+  std::vector<Contact> contacts;
+  std::vector<std::size_t> row_of;
+  std::int64_t deep = 0;
+  contacts.reserve(rows.rows.size());
+  row_of.reserve(rows.rows.size());
+  Contact contact;
+  for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+    if (!joiner.join(i, contact)) continue;
+    contacts.push_back(contact);
+    row_of.push_back(i);
+    deep += joiner.is_deep(contact) ? 1 : 0;
+  }
+  check_pairs(contacts, row_of, rows, discs.particles, discs.box);
+  check_springs_pull_back(rows, contacts);
+  const auto left_out = static_cast<std::int64_t>(rows.rows.size() - contacts.size());
+  if (rules.notes == nullptr) return contacts;
+  if (left_out > 0)
+    rules.notes->add("near pairs without force that do not touch are no contacts, left out", rules.step,
+                     left_out);
+  if (deep > 0)
+    rules.notes->add(
+        "contacts overlap by more than half of the smaller radius (k_n too small for the load, or a density "
+        "in kg/m^3 where rho h in kg/m^2 was meant?)",
+        rules.step, deep);
+  return contacts;
+}
+
+}  // namespace mikromakro

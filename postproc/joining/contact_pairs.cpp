@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "joining/contact_pairs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "model/branch_images.h"
+
+namespace mikromakro {
+namespace {
+
+// Two rows with a mesh are different sides of it when their normals differ by more than rounding and output
+// formats do; two of discs different images, which lie in quite different directions, however few digits
+// places have that normals are derived from.
+constexpr double same_side = 1e-3, same_image = 0.1;
+
+double reach_of(const Contact& contact, const std::vector<Particle>& discs) {
+  return discs[static_cast<std::size_t>(contact.index1)].radius +
+         discs[static_cast<std::size_t>(contact.index2)].radius;
+}
+
+// The normal of a pair as seen from its lower id, so that both orders of a pair compare.
+std::pair<std::int64_t, std::int64_t> pair_of(const Contact& contact) {
+  return {std::min(contact.id1, contact.id2), std::max(contact.id1, contact.id2)};
+}
+Eigen::Vector2d ordered_normal(const Contact& contact) {
+  // Of a disc that touches its own image both sides are one contact.
+  const bool upwards = contact.normal.x() > 0 || (contact.normal.x() == 0 && contact.normal.y() > 0);
+  const bool as_it_is = contact.id1 == contact.id2 ? upwards : contact.id1 < contact.id2;
+  return as_it_is ? contact.normal : Eigen::Vector2d(-contact.normal);
+}
+
+// Whether surely no disc touches itself (by both of its images, perhaps) and no pair is there twice, in one
+// pass over a table of hashes. That two pairs of 2^64 share one is rare, and costs time only.
+bool all_pairs_differ(const std::vector<Contact>& contacts) {
+  const std::size_t places = std::bit_ceil(2 * contacts.size() + 1);
+  constexpr std::uint64_t nobody = 0;
+  std::vector<std::uint64_t> table(places, nobody);
+  for (const Contact& contact : contacts) {
+    const auto pair = pair_of(contact);
+    if (pair.first == pair.second) return false;
+    constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U;
+    std::uint64_t hash =
+        (static_cast<std::uint64_t>(pair.first) * odd + static_cast<std::uint64_t>(pair.second)) * odd;
+    hash ^= hash >> 32U;
+    if (hash == nobody) return false;
+    std::size_t place = hash & (places - 1);
+    for (; table[place] != nobody; place = (place + 1) & (places - 1))
+      if (table[place] == hash) return false;
+    table[place] = hash;
+  }
+  return true;
+}
+
+}  // namespace
+
+void check_pairs(const std::vector<Contact>& contacts, const std::vector<std::size_t>& row_of,
+                 const ContactRows& rows, const std::vector<Particle>& discs, const Box& box) {
+  if (all_pairs_differ(contacts)) return;
+  const BranchImages images(box);
+  std::vector<std::size_t> order(contacts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return pair_of(contacts[a]) < pair_of(contacts[b]); });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Contact& contact = contacts[order[i]];
+    for (std::size_t j = i; j-- > 0 && pair_of(contacts[order[j]]) == pair_of(contact);) {
+      const double apart = (ordered_normal(contacts[order[j]]) - ordered_normal(contact)).norm();
+      const bool other_image = contact.with_wall()
+                                   ? contact.id2 <= static_cast<std::int64_t>(first_mesh) && apart > same_side
+                                   : images.several_within(reach_of(contact, discs)) && apart > same_image;
+      if (other_image) continue;
+      throw bad_input(
+          rows.place(row_of[order[i]]), "contact listed twice", "each pair once per frame",
+          fmt::format("{} {} as in line {}", contact.id1, contact.id2, rows.place(row_of[order[j]]).line));
+    }
+  }
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "joining/plausible_forces.h"
+
+#include <algorithm>
+
+#include "joining/contact_tolerance.h"
+
+namespace mikromakro {
+
+namespace {
+
+// Of every so many contacts.
+struct Push {
+  double pushing = 0;  // sum f_n
+  double all = 0;      // sum |f|
+  std::size_t count = 0;
+
+  bool is_none() const {
+    constexpr std::size_t few = 5, many = 20;
+    return count >= few && all > 0 && pushing < (count < many ? -0.25 : 0.25) * all;
+  }
+};
+
+Push push_of(const std::vector<Contact>& contacts, std::size_t stride) {
+  Push push;
+  for (std::size_t i = 0; i < contacts.size(); i += stride, ++push.count) {
+    push.pushing -= contacts[i].force.dot(contacts[i].normal);
+    push.all += contacts[i].force.norm();
+  }
+  return push;
+}
+
+}  // namespace
+
+void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules) {
+  if (rules.notes == nullptr || contacts.empty()) return;
+  constexpr std::size_t enough = 64;
+  const Push some = push_of(contacts, 1 + (contacts.size() - 1) / enough);
+  const bool none =
+      some.all == 0 && std::all_of(contacts.begin(), contacts.end(),
+                                   [](const Contact& contact) { return contact.force.isZero(0); });
+  if (none) rules.notes->add("all forces are 0 though discs overlap (another column?)", rules.step);
+  // A few collisions may carry most of the force, so that some contacts are not like all.
+  if (some.is_none() && push_of(contacts, 1).is_none())
+    rules.notes->add(
+        "contacts pull on the whole, or their forces are across (ids or columns exchanged? forces on the "
+        "other disc?); without cohesion they push",
+        rules.step);
+}
+
+void note_derived_overlaps(const RawFrame& raw, const std::vector<Contact>& contacts,
+                           const ContactRules& rules) {
+  constexpr ColumnSet told = column_set(ContactColumn::overlap, ContactColumn::dist);
+  const bool needed = (raw.contacts.needed & column_set(ContactColumn::overlap)) != 0;
+  if (rules.notes == nullptr || !needed || (raw.contacts.given_in_all() & told) != 0) return;
+  const bool by_row = (raw.contacts.given_in_all() & column_set(ContactColumn::x1)) != 0;
+  const ContactTolerance tolerance(raw.contacts, raw.particles, raw.box, raw.place_error);
+  double overlaps = 0, lost = 0;
+  for (const Contact& contact : contacts) {
+    if (contact.with_wall()) continue;
+    const double one = raw.particles[static_cast<std::size_t>(contact.index1)].radius;
+    const double two = raw.particles[static_cast<std::size_t>(contact.index2)].radius;
+    overlaps += contact.overlap;
+    lost += tolerance.of_geometry(std::min(one, two), one + two, not_given, by_row);
+  }
+  if (overlaps < lost / 3)
+    rules.notes->add(
+        "overlaps are not in the rows, and smaller than the digits of the coordinates: strain and stiffness "
+        "are not known (dump the overlap, or more digits)",
+        rules.step);
+}
+
+}  // namespace mikromakro

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Rows of one frame that stand in several files.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/error.h"
+
+namespace mikromakro {
+
+/// Rows from number `begin` on stand in another file, from its line `first_line` on.
+struct FurtherPiece {
+  std::size_t begin = 0;
+  std::string file;
+  std::int64_t first_line = 0;
+};
+
+/// Where row i stands: at `place` where no further piece holds it.
+inline Place place_of_row(std::size_t i, Place place, const std::vector<FurtherPiece>& pieces) {
+  for (const FurtherPiece& piece : pieces)
+    if (i >= piece.begin) place = {piece.file, piece.first_line + static_cast<std::int64_t>(i - piece.begin)};
+  return place;
+}
+
+}  // namespace mikromakro

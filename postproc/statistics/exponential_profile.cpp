@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "statistics/exponential_profile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "model/error.h"
+
+namespace mikromakro {
+namespace {
+
+constexpr int least_points = 3;
+constexpr int most_steps = 500;
+
+struct Points {
+  std::vector<Eigen::Index> used;
+  Eigen::ArrayXd x;  // r - r_i
+  Eigen::ArrayXd v;
+  Eigen::ArrayXd weight;
+};
+
+Points finite_points(const ProfilePoints& all, double r_i) {
+  const bool weighted = all.error.size() > 0;
+  std::vector<Eigen::Index> used;
+  for (Eigen::Index i = 0; i < all.v.size(); ++i) {
+    const bool known = std::isfinite(all.r[i]) && std::isfinite(all.v[i]);
+    if (known && (!weighted || (std::isfinite(all.error[i]) && all.error[i] > 0))) used.push_back(i);
+  }
+  if (static_cast<int>(used.size()) < least_points) {
+    const std::string there =
+        all.r.size() > 0 ? fmt::format(" (r = {:.4g} to {:.4g} m)", all.r.minCoeff(), all.r.maxCoeff()) : "";
+    throw run_failed("too few rings for the fit",
+                     fmt::format("at least {} with finite values{}", least_points, there),
+                     fmt::format("{}", used.size()));
+  }
+  if ((all.v(used) == 0).all())
+    throw run_failed("there is nothing to fit", "values that are not 0", "0 in every ring");
+  Points points{used, all.r(used) - r_i, all.v(used),
+                Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(used.size()))};
+  // Relative to the smallest error, so that the sums stay of the size of v^2.
+  if (weighted) points.weight = (all.error(used).minCoeff() / all.error(used)).square();
+  return points;
+}
+
+// v0 and the decay rate q = 1/s: the sum of squares is smooth in q, also where a profile hardly decays.
+using Parameters = Eigen::Vector2d;
+
+double sum_of_squares(const Points& points, const Parameters& p) {
+  return (points.weight * (points.v - p[0] * (-p[1] * points.x).exp()).square()).sum();
+}
+
+// ln|v| is a straight line in r. Values of weight 0 may have any sign.
+Parameters straight_line(const Points& points, const Eigen::ArrayXd& weight, double sign) {
+  const Eigen::ArrayXd logarithm = (sign * points.v > 0).select((points.v.abs()).log(), 0.0);
+  const double sum = weight.sum();
+  const double mean_x = (weight * points.x).sum() / sum;
+  const double mean_l = (weight * logarithm).sum() / sum;
+  const double spread = (weight * (points.x - mean_x).square()).sum();
+  const double slope = (weight * (points.x - mean_x) * (logarithm - mean_l)).sum() / spread;
+  return {sign * std::exp(mean_l - slope * mean_x), -slope};
+}
+
+double sign_of(const Points& points) {
+  return (points.weight * points.v * points.v.abs()).sum() < 0 ? -1 : 1;
+}
+
+// Weighted by v^2, since the logarithm stretches the small values.
+Parameters start(const Points& points) {
+  const double sign = sign_of(points);
+  return straight_line(points, (sign * points.v > 0).select(points.weight * points.v.square(), 0.0), sign);
+}
+
+// Of v with the parameters.
+Eigen::MatrixX2d jacobian(const Points& points, const Parameters& p) {
+  Eigen::MatrixX2d jacobian(points.x.size(), 2);
+  const Eigen::ArrayXd decay = (-p[1] * points.x).exp();
+  jacobian.col(0) = decay;
+  jacobian.col(1) = -p[0] * points.x * decay;
+  return jacobian;
+}
+
+struct NormalEquations {
+  Eigen::Matrix2d matrix;
+  Eigen::Vector2d right;
+};
+
+NormalEquations normal_equations(const Points& points, const Parameters& p) {
+  const Eigen::MatrixX2d change = jacobian(points, p);
+  const Eigen::VectorXd residual = points.v - p[0] * (-p[1] * points.x).exp();
+  const auto weighted = points.weight.matrix().asDiagonal();
+  return {change.transpose() * weighted * change, change.transpose() * weighted * residual};
+}
+
+Parameters levenberg_marquardt(const Points& points) {
+  Parameters p = start(points);
+  double damping = 1e-3;
+  double best = sum_of_squares(points, p);
+  for (int step = 0; step < most_steps && p.allFinite(); ++step) {
+    const NormalEquations equations = normal_equations(points, p);
+    Eigen::Matrix2d damped = equations.matrix;
+    damped.diagonal() *= 1 + damping;
+    const Parameters change = damped.ldlt().solve(equations.right);
+    const bool settled = (change.array().abs() <= 1e-14 * p.array().abs()).all();
+    const double now = sum_of_squares(points, p + change);
+    if (settled) return p;
+    if (now <= best) {
+      p += change;
+      best = now;
+      damping = std::max(0.1 * damping, 1e-12);
+    } else if (damping > 1e12) {
+      return p;  // no better point within rounding
+    } else {
+      damping *= 10;
+    }
+  }
+  throw run_failed("the fit does not converge", "a profile v0 exp(-(r - R_i)/s)",
+                   fmt::format("v0 = {}, s = {} after {} steps", p[0], 1 / p[1], most_steps));
+}
+
+// How p changes with v where rows of `of_p` are d f/d p, f what is fitted, and f changes by `of_v` with v.
+Eigen::Matrix2Xd change_with_v(const Eigen::MatrixX2d& of_p, const Eigen::ArrayXd& weight,
+                               const Eigen::ArrayXd& of_v) {
+  const Eigen::Matrix2Xd weighted = of_p.transpose() * weight.matrix().asDiagonal();
+  return (weighted * of_p).inverse() * weighted * of_v.matrix().asDiagonal();
+}
+
+struct Fitted {
+  Parameters p;
+  Eigen::Matrix2Xd change;  // of p with v
+};
+
+Fitted fit_velocity(const Points& points) {
+  const Parameters p = levenberg_marquardt(points);
+  return {p, change_with_v(jacobian(points, p), points.weight, Eigen::ArrayXd::Ones(points.v.size()))};
+}
+
+Fitted fit_logarithm(const Points& points, bool weighted) {
+  const double sign = sign_of(points);
+  if ((sign * points.v <= 0).any())
+    throw run_failed("log v is not defined in all rings", "values of one sign, or a --range where they are",
+                     fmt::format("{} to {}", points.v.minCoeff(), points.v.maxCoeff()));
+  const Eigen::ArrayXd weight = weighted ? Eigen::ArrayXd(points.weight * points.v.square()) : points.weight;
+  const Parameters p = straight_line(points, weight, sign);
+  Eigen::MatrixX2d of_p(points.x.size(), 2);
+  of_p.col(0).setConstant(1 / p[0]);
+  of_p.col(1) = -points.x;
+  return {p, change_with_v(of_p, weight, 1 / points.v)};
+}
+
+// From the point nearest to the wheel to the next.
+double first_distance(Eigen::ArrayXd x) {
+  std::partial_sort(x.begin(), x.begin() + 2, x.end());
+  return x[1] - x[0];
+}
+
+}  // namespace
+
+ExponentialProfile fit_exponential(const ProfilePoints& all, double r_i, FitOf of) {
+  const Points points = finite_points(all, r_i);
+  const auto [p, change] =
+      of == FitOf::v ? fit_velocity(points) : fit_logarithm(points, all.error.size() > 0);
+  const double s = 1 / p[1];
+  // A profile that falls by less than this over the rings is constant to rounding.
+  constexpr double least_fall = 1e-9;
+  const bool falls = p[1] * (points.x.maxCoeff() - points.x.minCoeff()) > least_fall;
+  if (!falls || p[0] == 0) {
+    throw run_failed("the profile does not decay", "v0 != 0 and s > 0",
+                     fmt::format("v0 = {}, s = {}", p[0], s));
+  }
+  // Of one that falls to less than a millionth from a ring to the next, only one ring is seen, which leaves
+  // v0 and s open.
+  constexpr double most_fall = 14;
+  if (p[1] * first_distance(points.x) > most_fall)
+    throw run_failed("the profile decays within a ring", "finer rings, or another profile",
+                     fmt::format("v0 = {}, s = {}", p[0], s));
+  ExponentialProfile profile{p[0], s, 0, points.used, change};
+  profile.change.row(1) *= -s * s;
+  profile.residual_rms = std::sqrt((points.v - p[0] * (-p[1] * points.x).exp()).square().mean());
+  return profile;
+}
+
+}  // namespace mikromakro
