@@ -71,9 +71,9 @@ std::array<double, 2> largest_radii(LAMMPS& engine) {
   return two;
 }
 
-/// A disc that touches its own image has a contact that no row of contacts, and so no stress, holds. Two discs
-/// that touch through two images have two springs, which the engines keep by the partner's id: the next list
-/// of neighbours gives both the same.
+/// A disc that touches its own image has a contact that no row of contacts, and so no stress, holds. Two
+/// discs that touch through two images have two springs, which the engines keep by the partner's id: the next
+/// list of neighbours gives both the same.
 void check_box_width(LAMMPS& engine, const std::string& style, bool with_springs) {
   const Domain& domain = *engine.domain;
   const auto [largest, second] = largest_radii(engine);
@@ -83,14 +83,16 @@ void check_box_width(LAMMPS& engine, const std::string& style, bool with_springs
     const std::string along = axis == 0 ? " along x" : " along y";
     if (domain.prd[axis] < 2 * largest)
       stop(engine, style,
-           "expected a periodic box that is wider than a disc" + along + ", got " + text_of(domain.prd[axis]) +
-               " m and a disc of " + text_of(2 * largest) + " m: it would touch its own image");
+           "expected a periodic box that is wider than a disc" + along + ", got " +
+               text_of(domain.prd[axis]) + " m and a disc of " + text_of(2 * largest) +
+               " m: it would touch its own image");
     if (with_springs && domain.prd[axis] < 2 * (largest + second))
-      stop(engine, style,
-           "expected a periodic box that is wider than " + text_of(2 * (largest + second)) + " m" + along +
-               ", twice the distance of the two largest discs, got " + text_of(domain.prd[axis]) +
-               " m: where two discs touch through two images, the engine keeps one spring (tangential off and "
-               "disc/viscous need none)");
+      stop(
+          engine, style,
+          "expected a periodic box that is wider than " + text_of(2 * (largest + second)) + " m" + along +
+              ", twice the distance of the two largest discs, got " + text_of(domain.prd[axis]) +
+              " m: where two discs touch through two images, the engine keeps one spring (tangential off and "
+              "disc/viscous need none)");
   }
 }
 

@@ -29,7 +29,8 @@ enum class FitOf { v, log_v };
 /// Least squares of v(r) = v0 exp(-(r - r_i)/s) (Latzel2001 Bild 5), weights 1/error^2, by
 /// Levenberg-Marquardt; or of the straight line log v, weights (v/error)^2. v0 may be negative (a wheel that
 /// turns clockwise). Throws (failed run): fewer than 3 points, no convergence to a decaying profile, one
-/// that falls to less than a millionth from the first ring to the next, a logarithm of values that have not one sign.
+/// that falls to less than a millionth from the first ring to the next, a logarithm of values that have not
+/// one sign.
 ExponentialProfile fit_exponential(const ProfilePoints& points, double r_i, FitOf of = FitOf::v);
 
 }  // namespace mikromakro

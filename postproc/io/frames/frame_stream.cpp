@@ -176,7 +176,8 @@ FrameStream::FrameStream(const FrameSource& source)
 bool FrameStream::is_looked_at_closely(std::int64_t step) {
   constexpr std::int64_t seldom = 64;
   if (!of_all_ranks_.contains(index_, step)) return false;
-  if (last_selected_run_ != format_->run()) selected_of_run_ = most_rows_looked_at_ = least_rows_looked_at_ = 0;
+  if (last_selected_run_ != format_->run())
+    selected_of_run_ = most_rows_looked_at_ = least_rows_looked_at_ = 0;
   last_selected_run_ = format_->run();
   ++selected_;
   const std::int64_t number = selected_of_run_++, rows = format_->contact_rows();
