@@ -15,10 +15,13 @@
 
 namespace {
 
+/// Replaces what users of other programs type by the engine's own word.
 bool wants_help(int argc, char** argv) {
+  static char own[] = "-help";
   for (int i = 1; i < argc; ++i) {
     const std::string_view argument = argv[i];
-    if (argument == "-help" || argument == "-h") return true;
+    if (argument == "--help") argv[i] = own;
+    if (argument == "--help" || argument == "-help" || argument == "-h") return true;
   }
   return false;
 }
@@ -34,6 +37,11 @@ void end_of_help() {
 int main(int argc, char** argv) {
   // Line by line also into a pipe: an error of one rank ends the others, and what they hold back is lost.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  if (argc == 2 && std::string_view(argv[1]) == "--version") {
+    std::printf("%s\n", mikromakro::styles::version_line().c_str());
+    return 0;
+  }
+  const bool help = wants_help(argc, argv);
   mikromakro::styles::handle_signals();
   MPI_Init(&argc, &argv);
   int rank = 0;
@@ -41,9 +49,9 @@ int main(int argc, char** argv) {
   if (rank == 0) {
     std::printf("%s\n", mikromakro::styles::version_line().c_str());
     // The engine prints its own help and ends inside its constructor, so ours comes first.
-    if (wants_help(argc, argv)) std::printf("%s", mikromakro::styles::style_list().c_str());
+    if (help) std::printf("%s", mikromakro::styles::style_list().c_str());
   }
-  if (wants_help(argc, argv)) std::atexit(end_of_help);
+  if (help) std::atexit(end_of_help);
   const int code = mikromakro::styles::exit_code_of([&] {
     const auto engine = std::make_unique<LAMMPS_NS::LAMMPS>(argc, argv, MPI_COMM_WORLD);
     mikromakro::styles::register_styles(*engine);
