@@ -9,12 +9,12 @@ one rank and on two. Each row runs as a script of some hundred steps in which 20
 
 - **works**: without dashpot and friction, the discs move as under the stock law of the engine (`hooke/stiffness`, `gran/hooke`) and its own
   `nve/sphere` with the same lines, and what the lines write into files is the same, to rounding (1e-11). With spring, friction and dashpots, the
-  motion is the same to the last bit whether or not somebody looks at the discs in every step.
-- **refused**: the script ends with the line that is quoted.
-- **told**: the script goes on, and the line that is quoted says what will not be as expected.
+  motion is the same to the last bit whether or not the discs are read in every step.
+- **refused**: the script ends with the quoted error.
+- **told**: the script continues, and the quoted warning says what differs from what one would expect.
 - -: the engine has no such style or command, or not in two dimensions.
 
-{count} rows. What is not among them is not known to be harmless: in steps in which anybody may act, discs lie in the engine's arrays as under any other
+{count} rows. Styles and commands outside of the table are untested; in steps in which they may act, discs are in the engine's arrays as under any other
 law. LIGGGHTS itself refuses discs in two dimensions, or crashes, in `fix insert/*`, `fix particletemplate/*`, `fix spring/rg` and walls of meshes.
 
 | lines | LIGGGHTS | LAMMPS | |
