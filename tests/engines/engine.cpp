@@ -8,6 +8,7 @@
 #include <array>
 #include <cstring>
 #include <sstream>
+#include <stdexcept>
 
 #include "atom.h"
 #include "compute.h"
@@ -61,6 +62,13 @@ std::vector<double> gather(const std::vector<double>& mine, MPI_Comm ranks) {
   return all;
 }
 
+template <typename Style>
+Style* named(Style** styles, int count, const std::string& id) {
+  Style** const found = std::find_if(styles, styles + count, [&](const Style* one) { return one->id == id; });
+  if (found == styles + count) throw std::runtime_error("the script has no '" + id + "'");
+  return *found;
+}
+
 }  // namespace
 
 Engine::Engine(MPI_Comm ranks) : ranks_(ranks), lammps_(engine_on(ranks)) {
@@ -78,13 +86,12 @@ void Engine::run(const std::string& lines) {
 
 LAMMPS_NS::Fix& Engine::fix(const std::string& id) const {
   const auto& modify = *lammps_->modify;
-  return **std::find_if(modify.fix, modify.fix + modify.nfix, [&](const auto* f) { return f->id == id; });
+  return *named(modify.fix, modify.nfix, id);
 }
 
 LAMMPS_NS::Compute& Engine::compute(const std::string& id) const {
   const auto& modify = *lammps_->modify;
-  return **std::find_if(modify.compute, modify.compute + modify.ncompute,
-                        [&](const auto* c) { return c->id == id; });
+  return *named(modify.compute, modify.ncompute, id);
 }
 
 std::map<int, Disc> Engine::discs() const {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <fstream>
 #include <numeric>
 #include <thread>
 
@@ -52,6 +53,14 @@ Hdf5Id open_after_kill(const std::string& file, const Hdf5Id& access) {
   Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access.get()), H5Fclose);
   if (id.get() >= 0 && H5Fincrement_filesize(id.get(), 0) < 0) cannot_write(file);
   return id;
+}
+
+// By the flags of the superblock, which has them from version 3 on (HDF5 File Format Specification, II.A).
+bool is_open_for_write(const std::string& file) {
+  constexpr std::size_t version_at = 8, flags_at = 11;
+  std::array<char, flags_at + 1> superblock{};
+  std::ifstream(file, std::ios::binary).read(superblock.data(), superblock.size());
+  return superblock[version_at] >= 3 && (superblock[flags_at] & 1) != 0;
 }
 
 // A list of properties for a new object: the same content makes the same file at any time.
@@ -140,8 +149,7 @@ Hdf5File Hdf5File::open(const std::string& file) {
     Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, newer_layout().get()), H5Fclose);
     if (id.get() < 0) id = Hdf5Id(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (id.get() >= 0) return {std::move(id), file};
-    const bool is_written = last_reason().find("already open for write") != std::string::npos;
-    if (!is_written || attempt == 100) cannot_read(file);
+    if (!is_open_for_write(file) || attempt == 100) cannot_read(file);
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
 }
