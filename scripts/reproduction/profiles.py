@@ -63,6 +63,8 @@ def box(simulation):
 
 # Count of the rings and weight: tables whose fits are choices beside that of 60 rings. The paper's is of 20 rings by centres.
 CHOICES = ((20, "sliced"), (30, "sliced"), (20, "centre"))
+# A profile that does not decay, as in a frozen packing.
+NO_FIT = {name: float("nan") for name in ("v0", "s", "v0_scaled", "v0_scaled_low", "v0_scaled_high")} | {"choices": {}}
 
 
 def velocity_file(simulation, count, weight="sliced", frames=""):
@@ -80,12 +82,20 @@ def blocks_of(path):
 
 def fit(simulation, count, omega=OMEGA, **average):
     """The exponential v_0 exp(-(r - R_i)/s) of v_phi (Bild 5): its standard errors and intervals of 95 % from blocks of frames (None where there are too
-    few), and its least and greatest values by other choices of range, weights and rings."""
+    few), and its least and greatest values by other choices of range, weights and rings. Of a profile that does not decay, as in a frozen packing, nan."""
     rows = velocity_file(simulation, count, **average)
     path = rows.replace("velocity_", "fit_").replace(".csv", "_choices.json")
     others = [velocity_file(simulation, *choice, frames=average.get("frames", "")) for choice in CHOICES]
-    return json.loads(cached(path, lambda: run("fit", rows, *(one for one in others if one != rows), "--blocks", blocks_of(rows), "--ri", str(R_I),
-                                               "--omega", str(omega), "--json")))
+
+    def made():
+        try:
+            return run("fit", rows, *(one for one in others if one != rows), "--blocks", blocks_of(rows), "--ri", str(R_I), "--omega", str(omega), "--json")
+        except subprocess.CalledProcessError as error:
+            if "the profile does not decay" not in error.stderr:
+                raise
+            return json.dumps(NO_FIT)
+
+    return json.loads(cached(path, made))
 
 
 def wheel(simulation):

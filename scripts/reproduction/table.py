@@ -173,7 +173,11 @@ def ordered_angles(run):
 def layer_spins(run):
     """omega_excess in the middle of the first four layers."""
     columns = rings(run)
-    return ", ".join(f"{columns['omega_excess'][k]:+.3f} ± {columns['omega_excess_err'][k]:.3f}" for k in profiles.middles_of_layers(columns, 4))
+    layers = profiles.middles_of_layers(columns, 4)
+    values, errors = columns["omega_excess"][layers], columns["omega_excess_err"][layers]
+    if np.isnan(errors).any():
+        return ", ".join(f"{value:+.3f}" for value in values) + " (too few effective frames for errors)"
+    return ", ".join(f"{value:+.3f} ± {error:.3f}" for value, error in zip(values, errors))
 
 
 def rotational_stiffness(run, first, last):
@@ -231,16 +235,19 @@ def causes():
 
 
 def chi_square(fits, key):
-    """Per degree of freedom, of the values of packings about their mean, in the errors of each run: 1 where packings do not differ."""
+    """Per degree of freedom, of the values of packings about their mean, in the errors of each run: 1 where packings do not differ. Of those that have errors."""
     values, errors = (np.array([fit[key + end] for fit in fits], dtype=float) for end in ("", "_err"))
+    known = np.isfinite(errors)
+    values, errors = values[known], errors[known]
     mean = np.average(values, weights=errors**-2)
-    return np.sum(((values - mean) / errors) ** 2) / (len(fits) - 1)
+    return np.sum(((values - mean) / errors) ** 2) / (len(values) - 1)
 
 
 def between_packings():
     fits = [profiles.fit(run, 60) for run in packings.packings()]
+    known = sum(fit["v0_err"] is not None for fit in fits)
     return ["chi^2 per degree of freedom of v0; s of the packings, run B, Eq. 1", "-", "; ".join(f"{chi_square(fits, key):.1f}" for key in ("v0", "s")),
-            f"{len(fits)} seeds, in the standard errors of one run each; above 1: packings differ by more than one run can know"]
+            f"{known} of {len(fits)} seeds whose fits have errors, in the standard errors of one run each; above 1: packings differ by more than one run can know"]
 
 
 GROUPS["trends"] = Group("the table's trends", [run for law in LAWS for run in (run_b(law), *ladder(LAW_NAMES[law]))], trends)
