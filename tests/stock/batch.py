@@ -45,7 +45,7 @@ class Outcome:
         return [line for line in self.said.splitlines() if "WARNING" in line]
 
 
-def run(engine, scripts, seconds=300):
+def run(engine, scripts, seconds=600):
     """Outcomes by the names of the scripts, which are pairs of name and lines."""
     outcomes, waiting = {}, list(scripts)
     while waiting:
