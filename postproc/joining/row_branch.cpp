@@ -16,18 +16,18 @@ constexpr ColumnSet place_columns = column_set(x1, y1, x2, y2);
 
 Vector2d RowBranch::of(const RowView& row, const Vector2d& between, double reach, double slack) const {
   if (row.has(place_columns)) {
-    const Vector2d branch = by_places(row, reach, slack);
+    Vector2d branch = by_places(row, reach, slack);
     return discs_are_better_ ? images_.nearest_to(branch, between) : branch;
   }
   if (row.has(normal_columns)) return images_.any() ? by_normal(row, between, reach) : between;
-  const Vector2d branch = images_.nearest(between);
+  Vector2d branch = images_.nearest(between);
   // Only the nearest image touches, unless the box is narrower than the two discs.
   if (images_.two_within(reach, branch)) refuse_images(row);
   return branch;
 }
 
 Vector2d RowBranch::by_places(const RowView& row, double reach, double slack) const {
-  const Vector2d branch = row.place(x2, y2) - row.place(x1, y1);
+  Vector2d branch = row.place(x2, y2) - row.place(x1, y1);
   if (row.has(periodic) && row[periodic] == 0) return branch;
   if (row.has(periodic) && !images_.any() && branch.norm() > reach + slack)
     throw bad_input(rows_.place(row.index), "a contact through a periodic boundary in a box that has none",

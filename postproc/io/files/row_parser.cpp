@@ -89,7 +89,9 @@ double parse_number(std::string_view word, const Place& place) {
   double number = 0;
   const char* const end = word.data() + word.size();
   const auto [stop, code] = number_of(word.data(), end, number);
-  if (code != std::errc() || stop != end) throw bad_input(place, "not a number", "a number", in_quotes(word));
+  // Some versions of fast_float report numbers beyond double, infinity or 0 by then, as out of range.
+  const bool is_number = code == std::errc() || code == std::errc::result_out_of_range;
+  if (!is_number || stop != end) throw bad_input(place, "not a number", "a number", in_quotes(word));
   if (!std::isfinite(number))
     throw bad_input(place, "not a finite number", "a finite number", in_quotes(word));
   return number;
