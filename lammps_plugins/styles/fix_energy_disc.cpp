@@ -58,7 +58,7 @@ void FixEnergyDisc::find_walls() {
   }
 }
 
-// A run that goes on does so with the powers of the last step, whose velocities were predicted.
+// A continued run uses the powers of the last step, whose velocities were predicted.
 void FixEnergyDisc::setup(int /*vflag*/) {
   const Contacts before = now_;
   now_ = evaluate();
@@ -158,8 +158,8 @@ void FixEnergyDisc::go_on_with(const std::array<double, 5>& tallies) {
   now_.tangential_power = tallies[4];
 }
 
-// The tallies of all ranks go to the first one, here as in the run that continues, so that both add up the
-// same numbers.
+// The sums over all ranks are assigned to the first one, here and in the continued run, so that both add the
+// same numbers in the same order.
 void FixEnergyDisc::write_restart(FILE* fp) {
   std::array<double, 5> sums = tallies();
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), 5, MPI_DOUBLE, MPI_SUM, world);

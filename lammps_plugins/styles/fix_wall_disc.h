@@ -20,9 +20,8 @@
 //
 // Scalar: work of the wall on the discs (J), since the fix was defined, continued across restarts. Vector,
 // of the last force evaluation:
-//   1, 2  force of the discs on the wall, N       3  their torque on it about the centre of the circle
-//   (plane:
-//                                                    the origin), N m; counter-clockwise positive
+//   1, 2  force of the discs on the wall, N       3  their torque on it about the circle's centre (plane: the
+//                                                    origin), N m; counter-clockwise positive
 //   4     the scalar, J                            5  sum of the normal forces, N; positive in compression
 #pragma once
 
