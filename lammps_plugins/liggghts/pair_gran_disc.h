@@ -48,7 +48,7 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, public Dis
   std::vector<double> material_constant(const char* name, const char* symbol) const;
 
   int64_t hash_;
-  LAMMPS_NS::PairGran* pair_ = nullptr;  // in an evaluation
+  LAMMPS_NS::PairGran* pair_ = nullptr;  // during an evaluation
   bool adds_to_compute_ = false;         // during an evaluation: for compute pair/gran/local
 };
 

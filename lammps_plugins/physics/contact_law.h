@@ -8,7 +8,7 @@
 //   v_t      slip rate of 1 against 2, (v_1 - v_2).t + omega_1 c_1 + omega_2 c_2           [m/s]
 //   xi       tangential spring: slip of 1 against 2 that is stored elastically             [m]
 // with the lever arms c_i = a_i - overlap/2 to the contact point. Both v_t and xi keep their sign when the
-// particles change places. The force on 1 is -f_n n + f_t t, on 2 its opposite; both get the torque c_i f_t.
+// particles are swapped. The force on 1 is -f_n n + f_t t, on 2 its opposite; both get the torque c_i f_t.
 #pragma once
 
 #include <algorithm>

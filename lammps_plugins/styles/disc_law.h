@@ -30,7 +30,7 @@ namespace mikromakro::styles {
 class Arguments;
 class FixNveDisc;
 
-/// One contact as it acted in the last force evaluation; signs as in physics/contact_law.h.
+/// A contact as applied in the last force evaluation; signs as in physics/contact_law.h.
 struct AppliedContact {
   int i, j;  // local indices; i is owned, j may be a ghost
   double n_x, n_y, overlap;

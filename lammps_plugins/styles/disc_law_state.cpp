@@ -105,8 +105,7 @@ int steps_along(double way, double step) {
 }  // namespace
 
 int DiscLaw::steps_neighbours_suffice() {
-  const double trigger =
-      std::max(0.0, neighbor->skin / 2 * (1 - 1e-6) - beyond_lists_);  // margin for rounding
+  const double trigger = std::max(0.0, neighbor->skin / 2 * (1 - 1e-6) - beyond_lists_);  // rounding
   const auto steps_from = [&](double gone) {
     return gone < trigger ? 1 + steps_along(trigger - gone, 6 * packed_.furthest) : 0;
   };

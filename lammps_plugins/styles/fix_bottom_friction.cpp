@@ -101,7 +101,7 @@ double FixBottomFriction::compute_vector(int /*n*/) {
 }
 
 // The sums over all ranks are assigned to the first one, here and in the continued run, so that both add the
-// same numbers in the same order.
+// same numbers.
 void FixBottomFriction::write_restart(FILE* file) {
   std::array<double, 2> state{sum_of_all_ranks(power_), sum_of_all_ranks(energy_)};
   if (comm->me != 0) state.fill(0.0);

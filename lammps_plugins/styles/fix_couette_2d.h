@@ -17,7 +17,7 @@
 // A new fix takes the present angles of the wall discs as zero. Time continues across runs, changes of the
 // time step and restarts.
 //
-// Scalar: the wheel torque, f_ID[1]. Vector (of the last force evaluation; gathered only when asked for):
+// Scalar: the wheel torque, f_ID[1]. Vector (of the last force evaluation; gathered only on request):
 //   1  torque of the discs on the inner ring (the wheel) about the centre, N m; counter-clockwise positive,
 //      so it is negative if the wheel turns counter-clockwise against resistance: T = 2 pi r^2 h sigma_phir
 //   2  the same for the outer ring

@@ -159,7 +159,7 @@ void FixEnergyDisc::go_on_with(const std::array<double, 5>& tallies) {
 }
 
 // The sums over all ranks are assigned to the first one, here and in the continued run, so that both add the
-// same numbers in the same order.
+// same numbers.
 void FixEnergyDisc::write_restart(FILE* fp) {
   std::array<double, 5> sums = tallies();
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), 5, MPI_DOUBLE, MPI_SUM, world);

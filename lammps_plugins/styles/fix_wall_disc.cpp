@@ -110,7 +110,7 @@ void FixWallDisc::warn_outside_box(const SmoothWall& wall) const {
   const double* high = domain->boxhi;
   bool outside = false;
   if (flat && open(0) && open(1)) {
-    // True if all corners of the box, even the nearest one, lie beyond the wall.
+    // True if even the corner of the box nearest to the wall does not reach it.
     const PlaneVector nearest{wall.outward.x > 0 ? high[0] : low[0], wall.outward.y > 0 ? high[1] : low[1]};
     outside = (nearest.x - wall.point.x) * wall.outward.x + (nearest.y - wall.point.y) * wall.outward.y < 0;
   }
@@ -201,7 +201,7 @@ double FixWallDisc::compute_vector(int i) {
 }
 
 // The sums over all ranks are assigned to the first one, here and in the continued run, so that both add the
-// same numbers in the same order.
+// same numbers.
 void FixWallDisc::write_restart(FILE* file) {
   const double power = sum_of_all_ranks(power_), work = sum_of_all_ranks(work_);
   power_ = comm->me == 0 ? power : 0.0;

@@ -12,7 +12,7 @@
 //   move    at the velocity VX, VY (m/s; default 0). A plane that moves along itself is a belt
 //   rotate  the surface rotates at OMEGA about its centre (1/s, counter-clockwise positive)
 //
-// Walls have no periodic images: a plane that crosses a periodic boundary it is not parallel to, or a circle
+// Walls have no periodic images: a plane whose normal has a component along a periodic direction, or a circle
 // that a disc can touch from the other side, is rejected.
 //
 // The ids in contact rows are id2 = -11, -12, ... in the order of the fixes. A fix that continues from a

@@ -40,7 +40,7 @@ class LastForces {
   /// contact_force: largest contact force [N], which sets the rounding tolerance.
   void restore(int group_bit, double contact_force) const;
 
-  // Per-atom storage, as the engine asks for it.
+  // Per-atom storage, for the engine's callbacks.
   static constexpr int values = 14;
   void grow(int count) { kept_.resize(count); }
   void copy(int from, int to) { kept_[to] = kept_[from]; }
