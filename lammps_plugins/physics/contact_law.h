@@ -163,8 +163,8 @@ inline double frequency_of_steps(bool predicted, double dt) {
 /// Force averaged over the step, from the instantaneous force `now`: the dashpot force, which jumps at
 /// contact onset and release, is weighted by the fraction of the step in contact, and friction scales with
 /// f_n. In the middle of a contact, and without a dashpot, the result equals the instantaneous force bit for
-/// bit. Used to measure this scheme (impact.h); fix nve/disc uses the instantaneous force, for the reason
-/// given in docs/results/accuracy.md.
+/// bit. Only the accuracy measurements use it (impact.h); fix nve/disc uses the instantaneous force, for the
+/// reason given in docs/results/accuracy.md.
 template <Effects effects>
 ContactForce force_of_step(const ContactParameters& p, const ContactState& s, const ContactForce& now,
                            double frequency) {

@@ -95,8 +95,9 @@ class FixNveDisc : public FixOfEngine {
   bool predicts_ = false;  // in this run: the disc law uses predictions
   DiscLaw* law_ = nullptr;
   PackedDiscs* packed_ = nullptr;
-  // How predict() uses the stored values of each disc, owned or ghost: not at all outside the two half-kicks;
-  // added to v_x, v_y and the spin within a step; in place of them in the set-up of a continued run.
+  // How predict() uses the stored values of each disc, owned or ghost. none: not between the two half-kicks
+  // of a step; differences: within a step, added to v_x, v_y and the spin; velocities: in the set-up of a
+  // continued run, replace them.
   enum class Prediction { none, differences, velocities };
   Prediction prediction_ = Prediction::none;
   struct OfDisc {
@@ -113,7 +114,7 @@ class FixNveDisc : public FixOfEngine {
   std::vector<int> members_, others_;  // local indices of discs in the group, and of all others
   std::vector<int> seen_elsewhere_;    // local indices of discs that have ghosts
   bool members_known_ = false;
-  LAMMPS_NS::bigint next_question_ = 0;  // step of the next MPI_Allreduce: see neighbours_suffice()
+  LAMMPS_NS::bigint next_question_ = 0;  // step of the next check: see neighbours_suffice()
   LastForces last_forces_;
   bool resumes_ = false;              // the next step is the first of a continued run
   bool step_complete_ = false;        // forces and velocities are those of the end of a step

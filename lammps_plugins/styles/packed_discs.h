@@ -4,8 +4,8 @@
 // The final half-kick of a step and the first half-kick of the next can be fused and done from the packed
 // data: forces use predicted velocities, so end-of-step velocities are needed by output only; the step is
 // closed when something reads them. With fused half-kicks the state is "open": engine arrays hold neither
-// velocities nor forces, and positions only of discs that have ghosts. The state is never opened if something
-// may act on discs within a step.
+// velocities nor forces, and positions only of discs that have ghosts. The state is never opened if anything
+// other than our own fixes may act on discs within a step: see may_stay_open().
 #pragma once
 
 #include <vector>
