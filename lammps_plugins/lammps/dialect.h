@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How LAMMPS spells what the styles need from an engine; liggghts/dialect.h has the same names.
+// Adapts the engine API used by the styles to LAMMPS; liggghts/dialect.h defines the same names.
 #pragma once
 
 #include <cstddef>
@@ -20,14 +20,14 @@ using CommandCreator = LAMMPS_NS::Command* (*)(LAMMPS_NS::LAMMPS*);
 class FixOfEngine : public LAMMPS_NS::Fix {
  protected:
   using Fix::Fix;
-  /// The fix has values of each atom, new atoms too; at most `most_exchanged` go to another rank with one.
+  /// Declares per-atom values, for new atoms too; at most `most_exchanged` values migrate with an atom.
   void has_values_of_atoms(int most_exchanged) {
     create_attribute = 1;
     maxexchange = most_exchanged;
   }
 
-  /// The fix has so many numbers for each ghost, which send_values_to_ghosts() takes from the disc that it is
-  /// an image of.
+  /// Declares `count` values per ghost, which send_values_to_ghosts() copies from the disc that it is an
+  /// image of.
   void has_values_of_ghosts(int count) { comm_forward = count; }
   void send_values_to_ghosts() { forward(*comm); }
   virtual void pack_for_ghost(int /*i*/, double* /*buffer*/) const {}
@@ -53,12 +53,12 @@ class FixOfEngine : public LAMMPS_NS::Fix {
   }
 };
 
-/// A fix that follows the numbers of the steps, and that checks itself as soon as it is defined and has its
-/// state from a restart file, if there is one. The engine tells no fix when a script counts the steps anew;
-/// so the fix looks whether the number is still that of the end of its last run.
+/// A fix that tracks step numbers, and that checks itself as soon as it is defined and its restart state, if
+/// any, has been read. The engine does not notify fixes when a script renumbers the steps, so the fix
+/// compares the present number with that at the end of its last run.
 class FixWithClock : public FixOfEngine {
  public:
-  /// The first call after the engine has handed over that state; post_constructor() comes before.
+  /// The first call after the restart state has been read; post_constructor() comes before.
   int setmask() final {
     once_defined();
     return calls_wanted();
@@ -76,7 +76,7 @@ class FixWithClock : public FixOfEngine {
   virtual void once_defined() {}
   virtual void run_ended() {}
   virtual void count_steps_anew(LAMMPS_NS::bigint shift) = 0;
-  /// Between two runs, before the fix uses the number of a step.
+  /// Call between two runs, before the fix uses a step number.
   void notice_new_count() {
     const LAMMPS_NS::bigint shift = update->ntimestep - last_step_;
     last_step_ = update->ntimestep;
@@ -87,7 +87,7 @@ class FixWithClock : public FixOfEngine {
   LAMMPS_NS::bigint last_step_ = 0;
 };
 
-/// Without the number of the first argument of a style, which is always the same here.
+/// Drops the index of the style's first argument, which is constant here.
 class ComputeOfEngine : public LAMMPS_NS::Compute {
  protected:
   ComputeOfEngine(LAMMPS_NS::LAMMPS* engine, int /*first*/, int narg, char** arg)

@@ -29,7 +29,7 @@ using namespace LAMMPS_NS;
 namespace {
 
 // Naming a private member in an explicit template instantiation is allowed by the standard ([temp.spec]):
-// instantiating Grant<Tag, &Class::member> defines member(Tag), through which the member is reached.
+// instantiating Grant<Tag, &Class::member> defines member(Tag), which gives access to the member.
 template <class Tag, typename Tag::Type Member>
 struct Grant {
   friend typename Tag::Type member(Tag /*tag*/) { return Member; }
@@ -76,7 +76,7 @@ const char* const law_styles =
 const char* const engine_family = "LAMMPS";
 namespace {
 
-// The keyword disc of fix nve/sphere is known to itself and its children.
+// The keyword `disc` of fix nve/sphere sets a protected member.
 struct SphereIntegrator : FixNVESphere {
   static double inertia_of(const FixNVESphere& fix) { return fix.*(&SphereIntegrator::inertia); }
 };
@@ -119,7 +119,7 @@ std::vector<int> atoms_with_ghosts(const Comm& comm, int nlocal) {
   std::vector<int> atoms;
   const auto* bricks = dynamic_cast<const CommBrick*>(&comm);
   if (!bricks) {
-    // Of `comm_style tiled` nothing is known here: all atoms may have ghosts.
+    // `comm_style tiled` is not analysed: assume that all atoms have ghosts.
     atoms.resize(nlocal);
     std::iota(atoms.begin(), atoms.end(), 0);
     return atoms;
@@ -150,7 +150,7 @@ void set_trigger(Neighbor& neighbor, double distance) {
   neighbor.*member(TriggerSquare{}) = distance < 0 ? -1 : distance * distance;
 }
 
-/// As the stock granular styles ask `fix pour` and `fix deposit`.
+/// Queried as the stock granular styles query `fix pour` and `fix deposit`.
 double radius_to_come(Fix& fix, int type) {
   const auto* radius = static_cast<const double*>(fix.extract("radius", type));
   return radius ? *radius : 0;
@@ -163,16 +163,16 @@ double time_now(const LAMMPS& engine) {
 
 namespace {
 
-/// Whether an error is of one rank alone, so that the others wait for it.
+/// True if the error occurred on one rank alone, while the others keep waiting.
 template <class Exception>
 bool is_of_one_rank(const Exception& exception) {
-  // The classes of errors have other names by the version.
+  // The exception classes differ between versions.
   return std::string(typeid(exception).name()).find("AbortException") != std::string::npos;
 }
 
 }  // namespace
 
-/// Later LAMMPS throws where it ended the program; its message stands on the screen already.
+/// Newer LAMMPS throws where older versions end the program; the message has already been printed.
 int exit_code_of(const std::function<void()>& run) {
   try {
     run();
@@ -184,7 +184,7 @@ int exit_code_of(const std::function<void()>& run) {
   return 1;
 }
 
-/// The engine's own program leaves signals alone.
+/// The engine's own program does not handle signals.
 void handle_signals() {}
 
 bool is_asked_to_stop() {
@@ -199,7 +199,7 @@ bool leaves_discs_alone(const Fix& fix, int mask) {
   return fix.box_change == 0 && (mask & ~(harmless | (history ? PRE_EXCHANGE | POST_NEIGHBOR : 0))) == 0;
 }
 
-/// The atom style has no density beside the mass.
+/// The atom style stores no density.
 void store_density(Atom& /*atom*/, int /*i*/, double /*areal_density*/) {}
 
 bool stores_discs(const Atom& atom) {

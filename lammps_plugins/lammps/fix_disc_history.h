@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The engine's fix that keeps springs with the atoms, without a fault of its own.
+// The engine's contact history fix, with a bug worked around.
 #pragma once
 
 #include <cstdio>
@@ -11,9 +11,9 @@ namespace mikromakro::styles {
 
 /// Style NEIGH_HISTORY/DISC, made by the pair style only.
 ///
-/// For restart files the engine copies springs from the pairs of the last neighbour list to the atoms. Right
-/// within a run; but the command write_restart first gives atoms to other ranks, after which the list names
-/// other atoms. Between runs the springs are with the atoms already.
+/// For restart files the engine copies springs from the pairs of the last neighbour list to the atoms. This
+/// is correct within a run, but the command write_restart first migrates atoms between ranks, after which the
+/// list refers to other atoms. Between runs the springs are already stored with the atoms.
 class FixDiscHistory : public LAMMPS_NS::FixNeighHistory {
  public:
   using FixNeighHistory::FixNeighHistory;

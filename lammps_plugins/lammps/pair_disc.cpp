@@ -33,7 +33,7 @@ namespace {
 
 struct Constant {
   const char *keyword, *symbol;
-  const char* name;  // in snapshots, the same for all engines
+  const char* name;  // name in snapshots, the same for all engines
   double ContactParameters::*member;
   bool positive;
 };
@@ -60,7 +60,8 @@ std::string types_text(const std::string& i, const std::string& j) {
   return "pair_coeff " + i + " " + j;
 }
 
-/// Of discs by their radii, with springs or without. LAMMPS has other ways for it from 24 Mar 2022 on.
+/// Requests a neighbour list of discs by size, with or without history. The API changed in LAMMPS of 24 Mar
+/// 2022.
 template <class Engine, class Style>
 void request_list(Engine& neighbor, Style* pair, int instance, bool springs) {
   if constexpr (requires { neighbor.add_request(pair, 0); }) {
@@ -73,7 +74,7 @@ void request_list(Engine& neighbor, Style* pair, int instance, bool springs) {
   }
 }
 
-// Marks our pair style in a restart file.
+// Identifies our pair style in a restart file.
 constexpr std::int64_t restart_key = 0x64697363;
 
 constexpr const char *history_id = "NEIGH_HISTORY_DISC", *dummy_id = "NEIGH_HISTORY_DISC_DUMMY";
@@ -89,8 +90,8 @@ PairDisc::PairDisc(LAMMPS* engine, physics::Normal normal)
   no_virial_fdotr_compute = 1;
   finitecutflag = 1;
   nondefault_history_transfer = 1;
-  // Holds the place of the fix with the springs, which can be made only when its data of a restart file are
-  // there, before those of the fixes of the script.
+  // Placeholder for the contact history fix, which must precede the fixes of the script but can be created
+  // only once its restart data are available.
   modify->add_fix(std::string(dummy_id) + " all DUMMY");
 }
 
@@ -143,7 +144,7 @@ template struct Grant<StylesInRestart, &Modify::style_restart_peratom>;
 
 }  // namespace
 
-/// A restart file of a run under another law: no fix of ours takes its springs.
+/// For a restart file of a run under another law: no fix of ours reads its springs.
 void PairDisc::tell_of_foreign_springs() const {
   if (!law_.effects().spring()) return;
   for (int k = 0; k < modify->nfix_restart_peratom; ++k) {
@@ -230,7 +231,7 @@ std::vector<ContactParameters> PairDisc::parameters() const {
   return all;
 }
 
-/// Discs that touch.
+/// Cutoff: touching discs.
 double PairDisc::init_one(int i, int j) {
   return law_.largest_radius(i) + law_.largest_radius(j);
 }
@@ -305,7 +306,7 @@ void PairDisc::read_restart(FILE* file) {
   }
 }
 
-/// The other disc of a pair has the same spring: its signs do not depend on which disc is the first.
+/// The partner disc has the same spring: its sign does not depend on the order of the discs.
 void PairDisc::turn_history(const double* from, double* to) {
   std::copy_n(from, Law::history_size, to);
 }
@@ -346,7 +347,7 @@ void PairDisc::Law::read(int narg, char** arg) {
   use_settings();
 }
 
-/// Those that a script has given for all pairs of types.
+/// The constants given in the script for all pairs of types.
 std::vector<MaterialConstant> PairDisc::Law::given_constants() const {
   std::vector<MaterialConstant> all;
   const int types = atom->ntypes;

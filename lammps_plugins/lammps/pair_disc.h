@@ -3,11 +3,11 @@
 //                        [tangential_damping on|off] [limitForce on|off]; disc/hertz: [impact_velocity V]
 // pair_coeff I J kn K [gamman G] [kt K] [gammat G] [mu M]
 //
-// The disc law as LAMMPS asks for it. Without `tangential` there is no friction; damping is on, the others
-// are off where they are not given. Constants are those of docs/conventions.md: k_n (N/m; Hertz: N/m^2),
-// gamma_n (kg/s), k_t (N/m), gamma_t (kg/s), mu; those that the law does not use need not be given. There is
-// no mixing: each pair of types needs its pair_coeff (ranges and * as everywhere); a later one replaces all
-// that an earlier one said. Settings and constants go into restart files, springs too.
+// The disc law for LAMMPS. Without `tangential` there is no friction; damping is on by default, the other
+// switches are off. Constants are those of docs/conventions.md: k_n (N/m; Hertz: N/m^2), gamma_n (kg/s), k_t
+// (N/m), gamma_t (kg/s), mu; constants that the law does not use may be omitted. There is no mixing: each
+// pair of types needs its pair_coeff (ranges and * as usual); a later one replaces an earlier one completely.
+// Settings, constants and springs are stored in restart files.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ concept transfers_by_type = requires(Pair& pair, double* history) {
   pair.transfer_history(history, history, 0, 0);
 };
 
-/// What a contact remembers, seen from its other disc. Later LAMMPS passes the types of both, too.
+/// Contact history as seen from the partner disc. Newer LAMMPS also passes both types.
 template <class Pair>
 class WithHistory : public Pair {
  public:
@@ -68,10 +68,9 @@ class PairDisc : public WithHistory<LAMMPS_NS::Pair> {
   void read_restart(FILE* file) override;
   double memory_usage() override;
 
-  /// The contact of two discs as it acted in this step, for compute pair/local and others: force over
-  /// distance of the normal force on i, elastic energy of the overlap (J), and in `svector` the tangential
-  /// force on i (x, y, z) and its magnitude (N), as the granular styles of the engine have them. All 0 where
-  /// they do not touch.
+  /// The contact of two discs as applied in this step, for compute pair/local and others: normal force on i
+  /// over distance, elastic energy of the overlap (J), and in `svector` the tangential force on i (x, y, z)
+  /// and its magnitude (N), as in the engine's granular styles. All 0 if the discs do not touch.
   double single(int i, int j, int type_i, int type_j, double distance_square, double factor_coulomb,
                 double factor_lj, double& force_over_distance) override;
 
@@ -81,7 +80,7 @@ class PairDisc : public WithHistory<LAMMPS_NS::Pair> {
   void turn_history(const double* from, double* to) override;
 
  private:
-  /// The law, with the engine's lists of springs.
+  /// The disc law, with the engine's contact history.
   class Law : public DiscLaw {
    public:
     Law(PairDisc& pair, LAMMPS_NS::LAMMPS* engine, physics::Normal normal);
@@ -108,7 +107,7 @@ class PairDisc : public WithHistory<LAMMPS_NS::Pair> {
   };
 
   static constexpr int constants = 5;
-  /// Of a pair of types: kn, gamman, kt, gammat, mu.
+  /// Coefficients of a pair of types: kn, gamman, kt, gammat, mu.
   using Coefficients = std::array<std::optional<double>, constants>;
   void allocate();
   Coefficients& coefficients(int i, int j);
@@ -122,7 +121,7 @@ class PairDisc : public WithHistory<LAMMPS_NS::Pair> {
   double elastic_energy(const AppliedContact& contact) const;
 
   Law law_;
-  std::map<std::pair<int, int>, const AppliedContact*> contacts_;  // of the step, by i and j in this order
+  std::map<std::pair<int, int>, const AppliedContact*> contacts_;  // of this step, by ordered pair (i, j)
   LAMMPS_NS::bigint contacts_step_ = -1;
   FixDiscHistory* history_ = nullptr;
   std::vector<Coefficients> coefficients_;  // of types i, j at (i - 1) * types + j - 1, for i <= j

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How LAMMPS gets to know the disc styles: the pair styles and, where a LAMMPS with PLUGIN loads this object,
-// everything else.
+// Registration with LAMMPS: the pair styles and, if a LAMMPS with the PLUGIN package loads this object, all
+// other styles.
 #include <type_traits>
 
 #include "engine_access.h"
@@ -30,7 +30,7 @@ const std::map<std::string, Force::PairCreator> laws = {
     {"disc/hertz", make_pair_disc<physics::Normal::hertz>}};
 const std::map<std::string, FixCreator> springs = {{"NEIGH_HISTORY/DISC", make_fix<FixDiscHistory>}};
 
-/// The package has no header from which this could be seen when the styles are compiled.
+/// The package has no header from which the version could be checked at compile time.
 void check_version(const LAMMPS& engine) {
   const std::string library = engine.version;
   if (library == LAMMPS_VERSION) return;
@@ -47,8 +47,8 @@ void register_disc_laws(LAMMPS& engine) {
 
 }  // namespace mikromakro::styles
 
-/// Called by the command `plugin load`. The engine keeps the names, and calls the creators, until it takes
-/// the styles back: in this order, pair styles before the fix with their springs.
+/// Called by the command `plugin load`. The engine keeps the names and calls the creators until it unloads
+/// the styles, in this order: pair styles before their contact history fix.
 extern "C" void lammpsplugin_init(void* engine, void* handle, void* register_style) {
   using namespace mikromakro::styles;
   check_version(*static_cast<LAMMPS_NS::LAMMPS*>(engine));
@@ -59,7 +59,7 @@ extern "C" void lammpsplugin_init(void* engine, void* handle, void* register_sty
       style.style = kind;
       style.name = style.info = name.c_str();
       style.author = "mikromakro " MIKROMAKRO_VERSION;
-      // The engine turns it back into what it is, by the kind.
+      // The engine casts it back according to the kind of style.
       if constexpr (std::is_invocable_v<decltype(creator), LAMMPS_NS::LAMMPS*>) {
         style.creator.v1 = reinterpret_cast<lammpsplugin_factory1*>(creator);
       } else {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How LIGGGHTS spells what the styles need from an engine; lammps/dialect.h has the same names.
+// Adapts the engine API used by the styles to LIGGGHTS; lammps/dialect.h defines the same names.
 #pragma once
 
 #include <cstddef>
@@ -18,15 +18,15 @@ using CommandCreator = void (*)(LAMMPS_NS::LAMMPS*, int, char**);
 class FixOfEngine : public LAMMPS_NS::Fix {
  protected:
   using Fix::Fix;
-  /// The fix has values of each atom, new atoms too; at most `most_exchanged` go to another rank with one.
+  /// Declares per-atom values, for new atoms too; at most `most_exchanged` values migrate with an atom.
   void has_values_of_atoms(int /*most_exchanged*/) {
     create_attribute = 1;
     // Otherwise the engine would clear the values of all atoms in the first set-up of a new fix.
     just_created = 0;
   }
 
-  /// The fix has so many numbers for each ghost, which send_values_to_ghosts() takes from the disc that it is
-  /// an image of.
+  /// Declares `count` values per ghost, which send_values_to_ghosts() copies from the disc that it is an
+  /// image of.
   void has_values_of_ghosts(int count) { comm_forward = count; }
   void send_values_to_ghosts() { comm->forward_comm_fix(this); }
   virtual void pack_for_ghost(int /*i*/, double* /*buffer*/) const {}
@@ -44,8 +44,8 @@ class FixOfEngine : public LAMMPS_NS::Fix {
   }
 };
 
-/// A fix that follows the numbers of the steps, and that checks itself as soon as it is defined and has its
-/// state from a restart file, if there is one.
+/// A fix that tracks step numbers, and that checks itself as soon as it is defined and its restart state, if
+/// any, has been read.
 class FixWithClock : public FixOfEngine {
  public:
   int setmask() final { return calls_wanted(); }
@@ -61,7 +61,7 @@ class FixWithClock : public FixOfEngine {
   virtual void once_defined() {}
   virtual void run_ended() {}
   virtual void count_steps_anew(LAMMPS_NS::bigint shift) = 0;
-  /// The engine tells it at once.
+  /// Nothing to do: the engine notifies the fix directly.
   void notice_new_count() {}
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// LIGGGHTS 3.8 has no plugin command and keeps its tables of styles private or protected; naming a private
-// member in an explicit template instantiation is allowed by the standard ([temp.spec]), so no header has to
-// be altered.
+// LIGGGHTS 3.8 has no plugin command, and its style tables are private or protected. Naming a private member
+// in an explicit template instantiation is allowed by the standard ([temp.spec]), so no header needs to be
+// changed.
 #include "engine_access.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 namespace mikromakro::styles {
 namespace {
 
-// Instantiating Grant<Tag, &Class::member> defines member(Tag), through which the private member is reached.
+// Instantiating Grant<Tag, &Class::member> defines member(Tag), which gives access to the private member.
 template <class Tag, typename Tag::Type Member>
 struct Grant {
   friend typename Tag::Type member(Tag /*tag*/) { return Member; }
@@ -136,14 +136,14 @@ double time_now(const LAMMPS_NS::LAMMPS& engine) {
   return engine.update->get_cur_time();
 }
 
-/// The engine ends the program itself.
+/// The engine ends the program itself on errors.
 int exit_code_of(const std::function<void()>& run) {
   run();
   return 0;
 }
 
-/// As in the engine's own program: SIGINT and SIGTERM end the run after the current step and write what is
-/// due, SIGUSR1 asks for a restart file. mpirun turns a SIGINT into a SIGTERM to its children.
+/// As in the engine's own program: SIGINT and SIGTERM end the run after the current step and write pending
+/// output; SIGUSR1 requests a restart file. mpirun forwards SIGINT as SIGTERM.
 void handle_signals() {
   struct sigaction end_run {};
   end_run.sa_handler = LAMMPS_NS::SignalHandler::int_handler;
@@ -180,7 +180,7 @@ void announce_set_arrays(LAMMPS_NS::Fix& fix) {
 }
 
 const char* const engine_family = "LIGGGHTS";
-// Its fix nve/sphere takes the inertia of discs in two dimensions.
+// The fix nve/sphere of LIGGGHTS uses the inertia of discs in two dimensions.
 bool turns_spheres(const LAMMPS_NS::Fix& /*fix*/) {
   return false;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// An error ends the run with one line. LIGGGHTS adds a joke to every fifth, from memory that it has freed, so
-// that the screen shows whatever bytes are there now; it does so where its version calls itself PUBLIC. And
-// what a rank other than the first has to say is lost.
+// Errors end the run with one line. Where the version calls itself PUBLIC, LIGGGHTS adds a joke to every
+// fifth error, read from freed memory, so that arbitrary bytes appear on screen. Messages from ranks other
+// than the first are lost.
 //
-// The engine calls these functions of its own through the dynamic symbol table, where these definitions come
-// first, as that of post_create() in registration.cpp.
+// The engine calls these functions through the dynamic symbol table, where these definitions take precedence,
+// as for post_create() in registration.cpp.
 #include <dlfcn.h>
 
 #include <algorithm>

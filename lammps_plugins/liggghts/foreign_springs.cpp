@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A restart file of a run under another law: its springs are not ours.
+// For a restart file of a run under another law, whose springs are not ours.
 #include <cstring>
 
 #include "arguments.h"
@@ -13,7 +13,7 @@ using LAMMPS_NS::Modify;
 
 namespace {
 
-// See engine_access.cpp for the way to private members.
+// Access to private members: see engine_access.cpp.
 template <class Tag, typename Tag::Type Member>
 struct Grant {
   friend typename Tag::Type member(Tag /*tag*/) { return Member; }
@@ -36,14 +36,15 @@ template struct Grant<AtomIds, &Modify::id_restart_peratom>;
 
 const char* const springs_id = "contacthistory";
 
-/// No fix will find them under this name.
+/// Renames the data so that no fix finds them.
 void leave_aside(char* id) {
   *id = '-';
 }
 
 }  // namespace
 
-/// The engine would end the run with a line of its own; how many numbers a spring has it keeps in the file.
+/// Prevents the engine from stopping the run with its own message. The number of values per spring is stored
+/// in the file.
 void PairGranDisc::leave_foreign_springs() {
   if (!effects().spring()) return;
   Modify& engine = *modify;

@@ -26,7 +26,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// What may stand beside a model of discs, and how error lines say so.
+/// Models that may be combined with a disc model, and their wording in error messages.
 struct Choice {
   Words names;
   std::string text;
@@ -39,14 +39,14 @@ const std::map<std::string, Choice> choices = {
     {"rolling_friction", {{"off"}, "off"}},
     {"surface", {{"default"}, "default"}}};
 
-/// Also where it is mistyped.
+/// True for disc models, even if misspelt.
 bool names_discs(const std::string& word) {
   constexpr std::array<std::string_view, 4> names = {"disc/linear", "disc/hertz", "disc/viscous",
                                                      "disc/cundall_strack"};
   return word.starts_with("disc/") || !nearest_name(word, names).empty();
 }
 
-/// Kinds of models and their names, with which the arguments begin.
+/// Leading arguments: pairs of model kind and model name.
 std::vector<std::pair<std::string, std::string>> models_in(const Words& words) {
   std::vector<std::pair<std::string, std::string>> named;
   for (std::size_t k = 0; k + 1 < words.size() && choices.contains(words[k]); k += 2)
@@ -68,9 +68,9 @@ std::string fault_of(const Words& words) {
   return "";
 }
 
-/// Stands for a combination that does not exist; no model has these numbers.
+/// Placeholder for an invalid combination; no model has these ids.
 const int64_t faulty = LIGGGHTS::Utils::generate_gran_hashcode(63, 63, 63, 63, 63);
-/// What is wrong with it: the engine asks for the model right after its number.
+/// Error message for `faulty`: the engine requests the model right after its id.
 std::string fault;
 
 int64_t select_pair_models(int& count, char**& words, Custom_contact_models custom) {
@@ -98,8 +98,8 @@ LIGGGHTS::Walls::IGranularWall* refuse_wall(LAMMPS* engine, LAMMPS_NS::FixWallGr
        "'... circle X Y R inside/outside'");
 }
 
-// The tables of the engine's factories are private, and say so on the screen where an entry is replaced by
-// the function meant for it; see engine_access.cpp for the way in.
+// The engine's factory tables are private, and the public function for replacing an entry prints a message.
+// Access: see engine_access.cpp.
 using Selectors = std::map<std::string, int64_t (*)(int&, char**&, Custom_contact_models)>;
 using PairFactory = LIGGGHTS::Utils::AbstractFactory<LIGGGHTS::PairStyles::IGranularPairStyle>;
 using WallFactory = LIGGGHTS::Utils::AbstractFactory<LIGGGHTS::Walls::IGranularWall>;

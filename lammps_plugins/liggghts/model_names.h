@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Names of contact models that do not go together.
+// Checks for incompatible contact models.
 #pragma once
 
 namespace mikromakro::styles {
 
-/// Has the engine ask us first which model a pair style or a wall names: what is wrong with a combination
-/// that has a model of discs is told in one line, with the names that exist. Other combinations are the
-/// engine's own.
+/// Makes the engine pass the model names of a pair style or wall to us first. An invalid combination with a
+/// disc model is reported in one line, with the valid names; other combinations are left to the engine.
 void watch_model_names();
 
 }  // namespace mikromakro::styles

@@ -54,8 +54,8 @@ const char* tangential_name(Tangential tangential) {
 
 PairGranDisc::PairGranDisc(LAMMPS* engine, PairGran* parent, int64_t hash) : DiscLaw(engine), hash_(hash) {
   forget_settings(normal_of(hash), tangential_of(hash));
-  // Spring and slip rate keep their signs when the particles change places, so "0": no sign change between
-  // the two copies.
+  // Spring and slip rate keep their signs when the particles are swapped, so "0": no sign change between the
+  // two copies.
   if (effects().spring()) {
     parent->add_history_value("xi", "0");
     parent->add_history_value("slip_rate", "0");
@@ -76,7 +76,7 @@ void PairGranDisc::settings(int narg, char** arg, LIGGGHTS::IContactHistorySetup
                          (effects().normal == Normal::hertz ? ", impact_velocity" : "") +
                          " or the end of the command");
   }
-  // Accepted for scripts of the stock law; the disc law knows only absolute damping constants.
+  // Accepted for compatibility with the stock law; the disc law has only absolute damping constants.
   if (!absolute_damping) fail("has only 'absolute_damping on' (gamman_abs, gammat_abs)");
   use_settings();
   leave_foreign_springs();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // pair_style gran model disc/linear|disc/hertz tangential off|disc/viscous|disc/cundall_strack: the disc law
-// as LIGGGHTS asks for it. It parses the settings, fetches the material constants from `fix property/global`
-// and hands over the engine's pairs and its history of contacts.
+// for LIGGGHTS. Parses the settings, fetches the material constants from `fix property/global` and supplies
+// the engine's pairs and contact history.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace mikromakro::styles {
 
-/// Ids under which the factories of LIGGGHTS know our models: 6 bits; the engine's own are below 32.
+/// Ids of our models in the factories of LIGGGHTS: 6 bits; the engine's own are below 32.
 inline constexpr int normal_model_linear = 32;
 inline constexpr int normal_model_hertz = 33;
 inline constexpr int tangential_model_viscous = 32;
@@ -48,8 +48,8 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, public Dis
   std::vector<double> material_constant(const char* name, const char* symbol) const;
 
   int64_t hash_;
-  LAMMPS_NS::PairGran* pair_ = nullptr;  // in an evaluation
-  bool adds_to_compute_ = false;         // in an evaluation: for compute pair/gran/local
+  LAMMPS_NS::PairGran* pair_ = nullptr;  // during an evaluation
+  bool adds_to_compute_ = false;         // during an evaluation: for compute pair/gran/local
 };
 
 }  // namespace mikromakro::styles

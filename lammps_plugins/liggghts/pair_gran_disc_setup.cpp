@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Material constants and the entry into the engine's factories.
+// Material constants, and registration with the engine's factories.
 #include <string>
 #include <utility>
 
@@ -90,7 +90,7 @@ namespace {
 
 using Implementation = LIGGGHTS::PairStyles::IGranularPairStyle;
 
-// The engine's proxy keeps its implementation private; see engine_access.h for the way in.
+// The implementation in the engine's proxy is private. Access: see engine_access.cpp.
 struct ProxyImplementation {
   using Type = Implementation* PairGranProxy::*;
   friend Type member(ProxyImplementation);

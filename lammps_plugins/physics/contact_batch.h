@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The contact law for several pairs side by side, so that a compiler evaluates them at the same time:
-// geometry, square root, division and law of a single contact are one long chain of dependent operations.
+// The contact law for a batch of pairs, laid out for SIMD. For a single contact, geometry, square root,
+// division and law form one long chain of dependent operations; a batch lets the compiler vectorise across
+// pairs.
 #pragma once
 
 #include <algorithm>
@@ -15,37 +16,37 @@
 
 namespace mikromakro::physics {
 
-/// The numbers of two discs that may touch.
+/// Indices of two discs that may touch.
 struct DiscPair {
   int i, j;
 };
 
-/// Springs of the pairs of a batch, which stay with the pairs: xi [m] and slip rate [m/s] as in
-/// contact_law.h, and whether the discs touched in the step before.
+/// Tangential springs of a batch, kept from step to step: xi [m] and slip rate [m/s] as in contact_law.h, and
+/// whether the discs were in contact in the previous step.
 struct SpringLanes {
   static constexpr int lanes = 64;
   alignas(64) double xi[lanes], slip_rate[lanes];
   alignas(64) std::int64_t touched[lanes];
 };
 
-/// Pairs of discs 1 and 2, one for each lane; units and signs as in contact_law.h. A lane whose discs do not
-/// touch carries no force. The lanes of a batch fit into the first cache of any processor.
+/// One pair (discs 1 and 2) per lane; units and signs as in contact_law.h. Lanes whose discs do not touch
+/// carry zero force. A batch is small enough for the L1 cache.
 struct ContactBatch {
   static constexpr int lanes = SpringLanes::lanes;
   using Lanes = double[lanes];
 
-  // in: from the centre of 1 to that of 2, sum and difference of the radii (2 - 1), velocity of 1 relative to
-  // 2, sum of the spins, of spin times radius
+  // in: centre of 1 to centre of 2, sum and difference of the radii (2 - 1), velocity of 1 relative to 2, sum
+  // of the spins, sum of spin times radius
   alignas(64) Lanes d_x, d_y, reach, radius_difference, w_x, w_y, spin, rim_speed;
   // in: material
   alignas(64) Lanes k_n, gamma_n, k_t, gamma_t, mu, tangential_compliance;
-  // for laws with a spring; in and out: the springs; in: the slip of this step
+  // only for laws with a spring; in and out: the springs; in: slip in this step
   SpringLanes* springs = nullptr;
   alignas(64) Lanes slip;
   // out: geometry, law, force on 1
   alignas(64) Lanes n_x, n_y, overlap, v_n, v_t;
   alignas(64) Lanes f_n, f_t, f_x, f_y;
-  // out: f_t overlap / 2, what the lever arms are shorter than the radii
+  // out: f_t overlap / 2, the torque correction: lever arm = radius - overlap/2
   alignas(64) Lanes short_torque;
 
   void set_material(int k, const ContactParameters& p) {
@@ -57,23 +58,22 @@ struct ContactBatch {
     tangential_compliance[k] = 1 / p.tangential_stiffness;
   }
   bool touches(int k) const { return overlap[k] > 0; }
-  /// Whether there is a distance between the centres, and so a normal.
+  /// False for coincident centres, which leave the normal undefined.
   bool is_defined(int k) const { return overlap[k] < reach[k]; }
 };
 
-/// The first `count` lanes are evaluated in groups of eight, which all processors like; those behind the last
-/// pair repeat it.
+/// Number of lanes evaluated for `count` pairs: in multiples of 8 lanes; padding lanes repeat the last pair.
 constexpr int padded(int count) {
   return (count + 7) / 8 * 8;
 }
 
-/// Whether any pair has begun or ceased to touch (of laws with a spring), and whether any has a common
-/// centre, which leaves the normal undefined.
+/// any_changed: some contact opened or closed (laws with a spring only). any_undefined: some pair has
+/// coincident centres, so its normal is undefined.
 struct BatchState {
   bool any_changed, any_undefined;
 };
 
-/// Places and motions of four pairs.
+/// Loads relative positions and motions of four pairs into lanes first to first + 3.
 template <Effects effects>
 [[gnu::always_inline]] inline void load_four_pairs(ContactBatch& c, int first, const DiscRow* discs,
                                                    const DiscPair (&pairs)[4]) {
@@ -100,7 +100,7 @@ template <Effects effects>
   }
 }
 
-/// Rows that are needed soon come from memory while others are worked on.
+/// Prefetches rows and loads of upcoming pairs.
 [[gnu::always_inline]] inline void fetch_discs(const DiscRow* discs, const DiscLoad* loads,
                                                const DiscPair* pairs, int count) {
   for (int k = 0; k < count; ++k) {
@@ -109,8 +109,8 @@ template <Effects effects>
   }
 }
 
-/// Places and motions of the pairs. While they are loaded, the rows and loads of `ahead` pairs behind them
-/// are fetched from memory (0: they are in the processor's cache).
+/// Loads relative positions and motions of the pairs. Meanwhile prefetches rows and loads of the `ahead`
+/// pairs that follow the batch (0: all data are already in cache).
 template <Effects effects>
 [[gnu::always_inline]] inline void load_discs(ContactBatch& c, const DiscRow* discs, const DiscPair* pairs,
                                               int count, const DiscLoad* loads = nullptr, int ahead = 0) {
@@ -127,7 +127,7 @@ template <Effects effects>
   }
 }
 
-/// Normal, overlap and relative velocities at the contact points.
+/// Contact normal, overlap and relative velocities at the contact points.
 template <Effects effects>
 [[gnu::always_inline]] inline BatchState contact_geometry(ContactBatch& c, int count) {
   const int all = padded(count);
@@ -153,7 +153,7 @@ template <Effects effects>
   return {changed != 0, undefined != 0};
 }
 
-/// Slip rate and slip of contacts that touched before.
+/// Slip rate and slip of all lanes, as for contacts that already existed in the previous step.
 [[gnu::always_inline]] inline void contact_slip(ContactBatch& c, int count, const StepOfSlip& step) {
   const int all = padded(count);
   double* slip_rate = c.springs->slip_rate;
@@ -165,7 +165,7 @@ template <Effects effects>
   }
 }
 
-/// Spring and slip of a pair that began to touch in this step, or ceased to: a new spring is unstretched.
+/// Resets spring and slip of a pair whose contact began or ended in this step; a new spring is unstretched.
 inline void begin_or_end_contact(ContactBatch& c, int k, const StepOfSlip& step) {
   const SpringStep begun = step_of_new_contact({c.overlap[k], c.v_n[k], c.v_t[k], 0}, step);
   const auto [rate, slip] = c.touches(k) ? begun : SpringStep{0, 0};
@@ -174,7 +174,7 @@ inline void begin_or_end_contact(ContactBatch& c, int k, const StepOfSlip& step)
   c.slip[k] = slip;
 }
 
-/// The law, after contact_geometry() and with the slip of each lane.
+/// Evaluates the force law; needs contact_geometry() and, for laws with a spring, the slip of each lane.
 template <Effects effects>
 [[gnu::always_inline]] inline void contact_forces(ContactBatch& c, int count) {
   const int all = padded(count);
@@ -202,7 +202,7 @@ template <Effects effects>
   }
 }
 
-/// Adds the forces of the lanes to the loads of both discs.
+/// Adds the contact forces to the loads of both discs of each pair.
 template <Effects effects>
 [[gnu::always_inline]] inline void add_loads(const ContactBatch& c, const DiscPair* pairs, int count,
                                              DiscLoad* loads) {

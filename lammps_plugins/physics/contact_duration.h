@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Duration and restitution of a head-on collision under the linear spring-dashpot law (Latzel2001 2.2
-// and 2.3), and duration of an elastic one under Hertz's law.
+// Duration and restitution of a head-on collision under the linear spring-dashpot law (Latzel2001 2.2 and
+// 2.3), and duration of an elastic collision under Hertz's law.
 #pragma once
 
 #include <cmath>
@@ -14,38 +14,40 @@ inline double reduced_mass(double m_1, double m_2) {
 }
 
 /// Contact duration t_c = pi / sqrt(k_n/m12 - (gamma_n / 2 m12)^2) [s]. An overdamped contact never
-/// separates; its undamped duration pi / sqrt(k_n/m12) is returned then, the time scale that limits the step.
+/// separates; the undamped duration pi / sqrt(k_n/m12) is then returned, as the time scale that limits the
+/// time step.
 inline double contact_duration(double k_n, double gamma_n, double m12) {
   const double eta = gamma_n / (2 * m12);
   const double omega_squared = k_n / m12 - eta * eta;
   return std::numbers::pi / std::sqrt(omega_squared > 0 ? omega_squared : k_n / m12);
 }
 
-/// Coefficient of restitution e_n = exp(-gamma_n t_c / 2 m12), for a force that may attract at the end of the
-/// contact.
+/// Coefficient of restitution e_n = exp(-gamma_n t_c / 2 m12), provided that the normal force may become
+/// attractive at the end of the contact.
 inline double restitution(double k_n, double gamma_n, double m12) {
   return std::exp(-gamma_n * contact_duration(k_n, gamma_n, m12) / (2 * m12));
 }
 
-/// The gamma_n [kg/s] that makes a restitution e_n, 0 < e_n <= 1: with l = -ln e_n, gamma_n/2 m12 =
-/// sqrt(k_n/m12) l / sqrt(pi^2 + l^2).
+/// gamma_n [kg/s] for a given restitution e_n, 0 < e_n <= 1: with l = -ln e_n, gamma_n/2 m12 = sqrt(k_n/m12)
+/// l / sqrt(pi^2 + l^2).
 inline double damping_of_restitution(double k_n, double e_n, double m12) {
   const double l = -std::log(e_n);
   return 2 * std::sqrt(k_n * m12) * l / std::sqrt(std::numbers::pi * std::numbers::pi + l * l);
 }
 
-/// k_H [N/m^(3/2)] of f_n = k_H overlap^(3/2), the law of contact_law.h for one pair: k_H = k_n sqrt(a_12).
+/// k_H [N/m^(3/2)] of f_n = k_H overlap^(3/2), the Hertz law of contact_law.h for a given pair: k_H = k_n
+/// sqrt(a_12).
 inline double hertz_stiffness(double k_n, double reduced_radius) {
   return k_n * std::sqrt(reduced_radius);
 }
 
-/// Largest overlap [m] of an elastic impact at v [m/s], where m12 v^2 / 2 = 2/5 k_H overlap^(5/2).
+/// Maximum overlap [m] in an elastic impact at v [m/s], from m12 v^2 / 2 = 2/5 k_H overlap^(5/2).
 inline double hertz_largest_overlap(double k_h, double m12, double v) {
   return std::pow(5 * m12 * v * v / (4 * k_h), 0.4);
 }
 
 /// Duration of an elastic impact at v [s]: t_c = 2 int_0^d dx / sqrt(v^2 - 4/5 k_H/m12 x^(5/2)) with the
-/// largest overlap d, that is (4/5) B(2/5, 1/2) d/v = 3.2181 (m12^2 / (k_H^2 v))^(1/5). Infinite for v = 0.
+/// maximum overlap d, i.e. (4/5) B(2/5, 1/2) d/v = 3.2181 (m12^2 / (k_H^2 v))^(1/5). Infinite for v = 0.
 inline double hertz_contact_duration(double k_h, double m12, double v) {
   // B(2/5, 1/2) = Gamma(2/5) Gamma(1/2) / Gamma(9/10); d/v = (5/4)^(2/5) (m12^2 / (k_H^2 v))^(1/5).
   static const double factor =
@@ -53,17 +55,17 @@ inline double hertz_contact_duration(double k_h, double m12, double v) {
   return factor * std::pow(m12 * m12 / (k_h * k_h * v), 0.2);
 }
 
-/// Slope of Hertz's force [N/m] at an overlap: 3/2 k_H sqrt(overlap).
+/// Tangent stiffness of Hertz's law at a given overlap [N/m]: 3/2 k_H sqrt(overlap).
 inline double hertz_tangent_stiffness(double k_h, double overlap) {
   return 1.5 * k_h * std::sqrt(overlap);
 }
 
-/// The rule of Latzel2001 2.3: at least this many steps per contact.
+/// Recommended minimum number of steps per contact (Latzel2001 2.3).
 inline constexpr double steps_per_contact = 50;
 
-/// Below this many steps per contact the integration is refused. Velocity Verlet of one undamped contact is
-/// unstable below t_c/dt = pi/2; in a triangular packing the stiffest mode has three times the squared
-/// frequency of a pair, which asks for 2.7, and frictional springs with k_t up to k_n for about 4.
+/// Fewer steps per contact are rejected. Velocity Verlet of a single undamped contact is unstable below
+/// t_c/dt = pi/2. The stiffest mode of a triangular packing has three times the squared frequency of a pair,
+/// which requires 2.7; frictional springs with k_t up to k_n require about 4.
 inline constexpr double least_steps_per_contact = 4;
 
 }  // namespace mikromakro::physics

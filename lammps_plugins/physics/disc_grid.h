@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Square cells over a rectangle that find the discs near a point, for placing discs without overlaps.
+// Cell grid over a rectangle for neighbour searches, used to place discs without overlaps.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ struct PlacedDisc {
 
 class DiscGrid {
  public:
-  // Cells as wide as the largest disc: two discs that touch lie in the same cell or in neighbours.
+  // Cells are at least as wide as the largest disc, so touching discs are in the same or in adjacent cells.
   DiscGrid(const Rectangle& bounds, double largest_radius)
       : bounds_(bounds),
         width_(std::max({2.0 * largest_radius, (bounds.x_max - bounds.x_min) / most_cells_per_side,
@@ -26,8 +26,8 @@ class DiscGrid {
         rows_(static_cast<int>((bounds.y_max - bounds.y_min) / width_) + 1),
         cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
-  // Discs outside of the rectangle go to the nearest border cell; clamping keeps touching discs in
-  // neighbouring cells.
+  // Discs outside the rectangle go to the nearest border cell; clamping keeps touching discs in adjacent
+  // cells.
   void add(const PlacedDisc& disc) { cell(column_of(disc.x), row_of(disc.y)).push_back(disc); }
 
   [[nodiscard]] bool touches(const PlacedDisc& disc) const {
@@ -44,7 +44,7 @@ class DiscGrid {
   }
 
  private:
-  // Bounds the memory where the discs are tiny against the region.
+  // Limits memory when the discs are tiny compared with the region.
   static constexpr int most_cells_per_side = 2000;
 
   static bool overlap(const PlacedDisc& a, const PlacedDisc& b) {
@@ -53,7 +53,7 @@ class DiscGrid {
     const double reach = a.radius + b.radius;
     return dx * dx + dy * dy < reach * reach;
   }
-  // Clamped before the conversion: a far obstacle would overflow an int.
+  // Clamped before conversion: a distant obstacle would overflow an int.
   [[nodiscard]] int column_of(double x) const {
     return static_cast<int>(std::clamp((x - bounds_.x_min) / width_, 0.0, columns_ - 1.0));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Regions of the plane that can be filled with discs: a ring between two circles or a rectangle.
+// Regions that can be filled with discs: an annulus or a rectangle.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ struct Rectangle {
 
   [[nodiscard]] double area() const { return (x_max - x_min) * (y_max - y_min); }
   [[nodiscard]] Rectangle bounds() const { return *this; }
-  // Is a disc at (x, y) at least `margin` inside the border, the disc's radius included in the margin?
+  // True if (x, y) is at least `margin` inside the border; the margin includes the disc's radius.
   [[nodiscard]] bool holds(double x, double y, double margin) const {
     return x - x_min >= margin && x_max - x >= margin && y - y_min >= margin && y_max - y >= margin;
   }
@@ -30,7 +30,7 @@ struct Annulus {
   [[nodiscard]] Rectangle bounds() const { return {x - r_outer, x + r_outer, y - r_outer, y + r_outer}; }
   [[nodiscard]] bool holds(double px, double py, double margin) const {
     const double distance = std::hypot(px - x, py - y);
-    // r_inner = 0 is a full circle, whose centre is no border.
+    // r_inner = 0: a full circle, without an inner border.
     return (r_inner == 0.0 || distance - r_inner >= margin) && r_outer - distance >= margin;
   }
   [[nodiscard]] bool can_hold(double margin) const {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a pair loop reads and writes of discs, as rows that lie side by side in memory and are moved four
-// numbers at a time.
+// Packed disc data of the pair loop: contiguous rows, loaded and stored as vectors of four doubles.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +9,10 @@
 
 namespace mikromakro::physics {
 
-/// Four numbers that are added and multiplied at the same time, on any processor.
+/// SIMD vector of four doubles, on any processor.
 using Four [[gnu::vector_size(32), gnu::aligned(32)]] = double;
 
-/// What the pair loop reads of a disc: one cache line.
+/// Disc data read by the pair loop; fills one cache line.
 struct alignas(64) DiscRow {
   Four place;   // x, y, radius, radius [m]
   Four motion;  // v_x, v_y [m/s], spin [1/s], spin times radius [m/s]
@@ -33,14 +32,14 @@ struct alignas(64) DiscRow {
   void set_motion(double v_x, double v_y, double spin) { motion = Four{v_x, v_y, spin, spin * place[2]}; }
 };
 
-/// What the contacts of a disc add up to: f_x, f_y, f_t [N] and f_t overlap / 2 [N m]. The lever arm of a
-/// contact is radius - overlap/2, so that the radius need not be known where the contacts are evaluated.
+/// Sums over the contacts of a disc: f_x, f_y, f_t [N] and f_t overlap / 2 [N m]. The lever arm of a contact
+/// is radius - overlap/2, so these two sums give the torque without the radius in the pair loop.
 struct alignas(32) DiscLoad {
   Four sums{0, 0, 0, 0};
 
   void add_force(double f_x, double f_y) { sums += Four{f_x, f_y, 0, 0}; }
-  /// A torque [N m] on a disc of that radius [m], after all of its contacts: as it would be added to their
-  /// sum.
+  /// Adds a wall's torque [N m] on a disc of the given radius [m]. Call after all contacts of the disc:
+  /// rounds as adding it to their summed torque would.
   void add_torque(double torque_of_wall, double radius) {
     sums[3] = -(torque(radius) + torque_of_wall);
     sums[2] = 0;
@@ -50,19 +49,19 @@ struct alignas(32) DiscLoad {
   double torque(double radius) const { return radius * sums[2] - sums[3]; }
 };
 
-/// Whether rows and loads of so many discs are more than the caches of usual processors hold (measured:
-/// fetching them ahead costs 4 % at 3 MB, gains 8 % at 10 MB and a third at 30 MB).
+/// True if rows and loads of this many discs exceed a typical cache, so that prefetching pays (measured:
+/// costs 4 % at 3 MB, gains 8 % at 10 MB and a third at 30 MB).
 constexpr bool rows_exceed_cache(std::size_t discs) {
   return discs * (sizeof(DiscRow) + sizeof(DiscLoad)) > 8000000;
 }
 
-/// From 1 to 2 in places: d_x, d_y, sum and difference of the radii; of 1 against 2 in motions: differences
-/// of the velocities, sums of spins and of speeds at the rim. The load on 2 is that on 1 with other signs of
-/// the force.
+/// Sign patterns for a pair. Positions, 2 - 1: d_x, d_y, sum and difference of the radii. Motions, 1 - 2:
+/// difference of the velocities, sums of spins and of rim speeds. Load on 2: that on 1 with the force
+/// reversed.
 inline constexpr Four sign_of_place = {-1, -1, 1, -1}, sign_of_motion = {-1, -1, 1, 1},
                       sign_of_load = {-1, -1, 1, 1};
 
-/// Rows to columns and back.
+/// Transposes a 4 x 4 matrix of rows a, b, c, d in place.
 [[gnu::always_inline]] inline void transpose(Four& a, Four& b, Four& c, Four& d) {
   const Four low_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6);
   const Four high_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Two discs that meet in free flight: the contact law in the time steps of fix nve/disc, without an engine.
-// With it the error of a time step is measured.
+// Collision of two free discs: contact law and time integration of fix nve/disc without an engine, to measure
+// the time-step error.
 #pragma once
 
 #include <array>
@@ -10,11 +10,11 @@
 
 namespace mikromakro::physics {
 
-/// The velocities that the law sees, and what its force stands for where contacts begin and end.
+/// Which velocities enter the contact law, and how contact onset and release within a step are treated.
 enum class Scheme {
-  half_step,      // velocities of the middle of the step, as the stock integrators leave them
-  same_instant,   // predicted for the instant of the positions
-  share_of_step,  // the same, and force_of_step()
+  half_step,      // mid-step velocities, as from the stock integrators
+  same_instant,   // velocities predicted for the time of the positions
+  share_of_step,  // as same_instant, with force_of_step()
 };
 
 template <Effects effects>
@@ -27,7 +27,7 @@ class FreePair {
   FreePair(const ContactParameters& parameters, const std::array<Disc, 2>& discs, double dt, Scheme scheme)
       : parameters_(parameters), discs_(discs), dt_(dt), scheme_(scheme) {}
 
-  /// One step of velocity Verlet, as in fix nve/disc.
+  /// One velocity Verlet step, as in fix nve/disc.
   void step() {
     kick();
     for (auto& disc : discs_) {
@@ -48,7 +48,7 @@ class FreePair {
   const std::array<Disc, 2>& discs() const { return discs_; }
   const WallSpring& spring() const { return spring_; }
 
-  /// Overlap and relative velocities of now.
+  /// Current overlap and relative velocities.
   ContactState state() const {
     const auto& [one, two] = discs_;
     const auto [n, distance] = normal();
@@ -59,7 +59,7 @@ class FreePair {
             reduced_radius(one.radius, two.radius)};
   }
 
-  /// Of both discs, without what contacts store [J].
+  /// Kinetic energy of both discs, without elastic energy [J].
   double kinetic_energy() const {
     double sum = 0;
     for (const auto& d : discs_) {
@@ -87,7 +87,7 @@ class FreePair {
       const double of_mass = dt_ / 2 / discs_[k].mass, sign = k == 0 ? 1 : -1;
       discs_[k].velocity.x += sign * of_mass * force_.x;
       discs_[k].velocity.y += sign * of_mass * force_.y;
-      // Both discs get the torque c_i f_t of the same sign; their moment of inertia is m a^2 / 2.
+      // The torque c_i f_t has the same sign on both discs; moment of inertia m a^2 / 2.
       const double radius = discs_[k].radius;
       discs_[k].spin += 2 * of_mass / (radius * radius) * (radius - short_arm_) * f_t_;
     }

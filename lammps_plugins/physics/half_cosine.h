@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A smooth way from one value to another: z(t) = z_f + (z_0 - z_f)/2 (1 + cos(pi t/T)) for t < T, then z_f.
-// The rate is zero at both ends, so that a wall that is moved neither hits nor leaves the discs at once.
+// Smooth transition between two values: z(t) = z_f + (z_0 - z_f)/2 (1 + cos(pi t/T)) for t < T, then z_f. The
+// rate is zero at both ends, so a driven wall starts and stops without a jump in velocity.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace mikromakro::physics {
 
-// T = 0: the end is reached from the start.
+// T = 0: at the end value from the start.
 struct HalfCosine {
   double start = 0.0;     // z_0
   double end = 0.0;       // z_f

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The impact of two equal discs, and the error that a time step makes in it, averaged over the phases of
-// first contact and of release within a step.
+// Impact of two equal discs, and its time-step error averaged over the phases of contact onset and release
+// within a step.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@ namespace mikromakro::physics {
 struct Impact {
   ContactParameters law;
   double radius, mass;  // of each disc [m, kg]
-  double v_n, v_t;      // of approach and slip before [m/s]
-  double duration;      // in which time steps are counted [s]
+  double v_n, v_t;      // approach and slip velocity before the impact [m/s]
+  double duration;      // reference duration for counting time steps [s]
 };
 
-/// v_n'/v_n, v_t'/v_n, duration of the contact over Impact::duration, kinetic energy after over before.
+/// v_n'/v_n, v_t'/v_n, contact duration / Impact::duration, kinetic energy after / before.
 enum Quantity { restitution_of_impact, slip_after, duration_of_impact, energy_left, impact_quantities };
 using Rebound = std::array<double, impact_quantities>;
 
-/// Two discs meet `onset` steps after a step; there are `steps` in Impact::duration. A contact that has not
-/// ended after 20 durations is not going to: not a number.
+/// Simulates one impact whose contact begins `onset` steps after the start, with `steps` time steps per
+/// Impact::duration. Returns NaN if the contact has not ended after 20 durations.
 template <Effects effects>
 Rebound rebound(const Impact& impact, double steps, double onset, Scheme scheme) {
   const double dt = impact.duration / steps, apart = 2 * impact.radius + onset * dt * impact.v_n;
@@ -47,7 +47,7 @@ Rebound rebound(const Impact& impact, double steps, double onset, Scheme scheme)
   return none;
 }
 
-/// What the impact comes to with a time step so short that its error (order 2) is below 1e-7.
+/// Reference solution with a time step so small that its error (second order) is below 1e-7.
 template <Effects effects>
 Rebound exact_rebound(const Impact& impact) {
   constexpr int phases = 4, steps = 20000;
@@ -63,8 +63,8 @@ struct ImpactError {
   Rebound mean{}, rms{};
 };
 
-/// Both phases are varied: where the duration is a whole number of steps the errors of onset and release
-/// cancel.
+/// Mean and rms error over the phases of onset and release. Both are varied because the errors cancel if the
+/// contact lasts a whole number of steps.
 template <Effects effects>
 ImpactError error_over_phases(const Impact& impact, double steps, Scheme scheme, const Rebound& exact) {
   constexpr int phases = 8, trials = phases * phases;
@@ -83,15 +83,15 @@ ImpactError error_over_phases(const Impact& impact, double steps, Scheme scheme,
   return error;
 }
 
-/// Rms over the phases of what is wrong with the relative velocity at the contact point after the impact,
-/// over the one before.
+/// Rms error, over the phases, of the relative velocity at the contact point after the impact, divided by its
+/// value before.
 inline double error_of_velocity(const Impact& impact, const ImpactError& error) {
   const double before = std::hypot(1, impact.v_t / impact.v_n);
   return std::hypot(error.rms[restitution_of_impact], error.rms[slip_after]) / before;
 }
 
-/// The fewest steps of fix nve/disc in Impact::duration, to 2 %, from which on error_of_velocity() is at most
-/// `wanted`; not a number where not even the most that are tried suffice, or the contact does not end.
+/// Fewest steps of fix nve/disc per Impact::duration, within 2 %, for which error_of_velocity() is at most
+/// `wanted`. NaN if the maximum number tried does not suffice or the contact does not end.
 template <Effects effects>
 double steps_for_error(const Impact& impact, double wanted) {
   constexpr double least = 5, most = 4000;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// 1/sqrt without the processor's divider.
+// 1/sqrt(x) without hardware division.
 #pragma once
 
 #include <bit>
@@ -7,10 +7,10 @@
 
 namespace mikromakro::physics {
 
-/// 1/sqrt(x) of a normal number x > 0 to some units in the last place: a first guess from half of the
-/// exponent, within 3.5 %, and four steps of Newton's method, y (3 - x y^2)/2, each of which squares the
-/// error. Only products and differences, so that all processors give the same bits, and several roots side by
-/// side take a fraction of a root and a division. Of 0 it is a large number, of NaN it is NaN.
+/// 1/sqrt(x) of a normal number x > 0 to within a few ulp: an initial guess by halving the exponent, within
+/// 3.5 %, and four Newton steps y (3 - x y^2)/2, each of which squares the error. Uses only multiplications
+/// and subtractions, so that all processors give the same bits; vectorised, it takes a fraction of the time
+/// of a root and a division. Returns a large number for 0 and NaN for NaN.
 [[gnu::always_inline]] inline double inverse_root(double x) {
   const double half = x / 2;
   double y = std::bit_cast<double>(0x5FE6EB50C7B537A9 - (std::bit_cast<std::int64_t>(x) >> 1));

@@ -3,7 +3,7 @@
 
 namespace mikromakro::physics {
 
-// A vector of the plane, in the unit of what it holds.
+// Two-dimensional vector, in the unit of the quantity it holds.
 struct PlaneVector {
   double x = 0.0;
   double y = 0.0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Random sequential placement of discs without overlaps: each disc is tried at uniformly random positions
-// until it touches nothing, large discs first, because they find their place least easily. Deterministic from
-// the seed on every platform: the distributions of the standard library differ between its implementations,
-// so the mapping to numbers is our own.
+// until it touches nothing; large discs come first because they are the hardest to place. Deterministic from
+// the seed on every platform: standard-library distributions differ between implementations, so the mapping
+// to doubles is our own.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,8 @@ namespace mikromakro::physics {
 class UniformNumbers {
  public:
   explicit UniformNumbers(std::uint64_t seed) : engine_(seed) {}
-  // Uniform in [low, high): the upper 53 bits of the 64-bit Mersenne twister, which the standard pins down.
+  // Uniform in [low, high): the upper 53 bits of the 64-bit Mersenne twister, whose output the standard
+  // specifies exactly.
   double operator()(double low, double high) {
     return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
   }
@@ -32,13 +33,13 @@ class UniformNumbers {
 };
 
 // Solid fraction above which placement is refused: random sequential placement of equal discs jams at 0.547
-// (Feder 1980), and needs very many trials per disc shortly before.
+// (Feder 1980) and needs very many trials per disc close to that limit.
 inline constexpr double placement_limit = 0.5;
 inline constexpr long placement_trials = 200000;
 
-// Places discs of the given radii (m) into the region, clear of the obstacles and, by `gap` more than their
-// radius, of the region's border. Returns the discs in the order of `radii`. Throws std::runtime_error if a
-// disc finds no place within `placement_trials` trials.
+// Places discs of the given radii (m) in the region, without touching the obstacles and at least `gap` away
+// from the region's border. Returns the discs in the order of `radii`. Throws std::runtime_error if a disc
+// cannot be placed within `placement_trials` trials.
 inline std::vector<PlacedDisc> place_discs(const DiscRegion& region, const std::vector<double>& radii,
                                            double gap, const std::vector<PlacedDisc>& obstacles,
                                            UniformNumbers& uniform) {
@@ -55,7 +56,7 @@ inline std::vector<PlacedDisc> place_discs(const DiscRegion& region, const std::
 
   const auto place_one = [&](double radius) {
     for (long trial = 0; trial < placement_trials; ++trial) {
-      // Two statements: the order in which arguments of a call are evaluated is not specified.
+      // Two statements, because the evaluation order of function arguments is unspecified.
       const double x = uniform(bounds.x_min, bounds.x_max);
       const double y = uniform(bounds.y_min, bounds.y_max);
       const PlacedDisc disc{x, y, radius};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Prescribed motion of a ring of wall discs: rotation at a constant rate about a fixed centre and a radius
-// that may change smoothly from one value to another.
+// Prescribed motion of a ring of wall discs: rotation at a constant rate about a fixed centre, with a radius
+// that may change smoothly between two values.
 //
 // The position of a wall disc is a function of time only, x(t) = c + R(t) Q(theta(t)) u, with u the unit
-// vector of its reference angle, Q the rotation by theta(t) = theta_0 + omega t. Nothing is summed from step
-// to step.
+// vector of its reference angle and Q the rotation by theta(t) = theta_0 + omega t, so no rounding error
+// accumulates.
 #pragma once
 
 #include <cmath>
@@ -14,13 +14,13 @@
 
 namespace mikromakro::physics {
 
-// The radius in time (m).
+// Radius as a function of time (m).
 struct RadiusCourse : HalfCosine {
   [[nodiscard]] double radius(double time) const { return value(time); }
   [[nodiscard]] bool is_over(double time) const { return time >= duration; }
 };
 
-// A ring at one instant; made once per ring and step, used for all its discs.
+// State of a ring at one time, computed once per step and used for all its discs.
 struct RingState {
   double angle = 0.0;   // theta (rad)
   double cosine = 1.0;  // of theta
@@ -43,7 +43,7 @@ struct RingMotion {
 
 struct WallDiscState {
   PlaneVector position;  // relative to the centre (m)
-  PlaneVector velocity;  // omega x r + dR/dt e_r (m/s), of the same instant as the position
+  PlaneVector velocity;  // omega x r + dR/dt e_r (m/s), at the time of the position
 };
 
 inline WallDiscState wall_disc_state(const RingState& ring, const PlaneVector& reference) {
@@ -55,8 +55,8 @@ inline WallDiscState wall_disc_state(const RingState& ring, const PlaneVector& r
            ring.radial_velocity * radial.y + tangential_velocity * radial.x}};
 }
 
-// The unit vector u of a disc that is at `position` (relative to the centre, not zero) when the ring has
-// turned as far as `ring` says: the inverse of wall_disc_state.
+// Reference unit vector u of a disc at `position` (relative to the centre, non-zero) on a ring in state
+// `ring`: the inverse of wall_disc_state().
 inline PlaneVector reference_direction(const RingState& ring, const PlaneVector& position) {
   const double distance = std::hypot(position.x, position.y);
   return {(ring.cosine * position.x + ring.sine * position.y) / distance,

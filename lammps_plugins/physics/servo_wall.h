@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A wall with a mass of its own that discs and an outer load push: m x'' = F - gamma x', by velocity Verlet.
-// F is the force of the same instant as the position, gamma x' is solved for the velocity of that instant,
-// too, so that the error is of order dt^2 whatever gamma is.
+// Servo-controlled wall with mass, driven by the discs and an external load: m x'' = F - gamma x', by
+// velocity Verlet. F is evaluated at the time of the position and gamma x' is solved implicitly for the
+// velocity at the same time, so the error is O(dt^2) for any gamma.
 #pragma once
 
 #include <cmath>
@@ -15,14 +15,14 @@ struct ServoWall {
   double acceleration = 0.0;  // x'' (m/s^2)
 };
 
-// First half of a step: the velocity of its middle and the position at its end.
+// First half of a step: advances the velocity to mid-step and the position to the end of the step.
 inline ServoWall servo_drift(const ServoWall& wall, double dt) {
   const double half_step = wall.velocity + 0.5 * dt * wall.acceleration;
   return {wall.position + dt * half_step, half_step, wall.acceleration};
 }
 
-// The velocity at the end of the step as far as the force at its beginning tells, for contacts that depend on
-// it; off by order dt^2, as fix nve/disc predicts those of discs.
+// End-of-step velocity predicted from the force at the beginning, for velocity-dependent contact forces. The
+// error is O(dt^2), as for the velocities that fix nve/disc predicts for discs.
 inline double predicted_velocity(const ServoWall& drifted, double dt) {
   return drifted.velocity + 0.5 * dt * drifted.acceleration;
 }
@@ -32,21 +32,21 @@ struct ServoProperties {
   double damping;  // gamma (kg/s)
 };
 
-// Second half, with the force (N) at the end of the step.
+// Second half of a step, with the force (N) at its end.
 inline ServoWall servo_kick(const ServoWall& drifted, double force, const ServoProperties& p, double dt) {
   const double velocity =
       (drifted.velocity + 0.5 * dt * force / p.mass) / (1 + 0.5 * dt * p.damping / p.mass);
   return {drifted.position, velocity, (force - p.damping * velocity) / p.mass};
 }
 
-// Half a period (s) of a wall on contacts with discs that do not yield, of the summed stiffness K (N/m):
-// pi sqrt(m/K), the shortest time in which it moves, whatever its damping. As contacts do
-// (contact_duration.h), it asks for time steps of a fiftieth.
+// Half period (s) of a wall on contacts of total stiffness K (N/m) with immobile discs: pi sqrt(m/K), the
+// shortest time scale of its motion for any damping. As with contacts (contact_duration.h), the time step
+// should be a fiftieth of it.
 inline double servo_half_period(double mass, double stiffness) {
   return std::numbers::pi * std::sqrt(mass / stiffness);
 }
 
-// Force of an outer pressure p (N/m) on a wall of length L, beside the discs' F: F - p L, outwards.
+// Net outward force on a wall of length L under an external pressure p (N/m) and the discs' force F: F - p L.
 inline double servo_force(double pressing, double pressure, double length) {
   return pressing - pressure * length;
 }

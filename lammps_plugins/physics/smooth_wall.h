@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Smooth walls, flat or along a circle, and their contact with a disc under the law of two discs
-// (contact_law.h). The disc is particle 1, the wall its partner of infinite mass.
+// Smooth walls, flat or circular, and their contact with a disc under the disc-disc law (contact_law.h). The
+// disc is particle 1, the wall is particle 2 with infinite mass.
 //
 //   normal         from the disc's centre to the nearest point of the wall
-//   contact point  that nearest point: the wall does not yield, all overlap is the disc's
+//   contact point  that nearest point: the wall is rigid, the disc alone deforms
 //   overlap        a - distance of the centre from the wall
-//   lever arm      a - overlap, to the contact point: the distance itself. The wall feels the opposite force
-//   at
-//                  the same point, so that angular momentum is kept
+//   lever arm      a - overlap, the distance of the centre from the wall. The reaction on the wall acts at
+//                  the same point, so angular momentum is conserved
 //   v_n, v_t       as in contact_law.h, relative to the velocity of the wall at the contact point
 #pragma once
 
@@ -22,10 +21,10 @@ namespace mikromakro::physics {
 enum class WallShape {
   flat,
   circle_around,  // the discs are inside the circle
-  circle_within   // the discs are outside of it
+  circle_within   // the discs are outside the circle
 };
 
-/// A wall at one instant.
+/// A wall at one time.
 struct SmoothWall {
   WallShape shape = WallShape::flat;
   PlaneVector point;             // flat: any point of the surface; circle: the centre (m)
@@ -41,7 +40,7 @@ struct SmoothWall {
 /// The point of a wall nearest to the centre of a disc.
 struct WallPoint {
   PlaneVector normal;  // from the disc to the wall
-  double distance;     // of the centre from the wall (m), negative behind it
+  double distance;     // of the centre from the wall (m), negative beyond it
   PlaneVector place;   // (m)
 };
 
@@ -53,7 +52,7 @@ inline WallPoint nearest_point(const SmoothWall& wall, const PlaneVector& centre
         wall.outward, distance, {centre.x + distance * wall.outward.x, centre.y + distance * wall.outward.y}};
   }
   const double from_centre = std::hypot(x, y);
-  // From the centre itself all points of the circle are equally near.
+  // At the centre all points of the circle are equally near; pick one.
   const PlaneVector radial =
       from_centre > 0 ? PlaneVector{x / from_centre, y / from_centre} : PlaneVector{1, 0};
   const PlaneVector place{wall.point.x + wall.radius * radial.x, wall.point.y + wall.radius * radial.y};
@@ -61,18 +60,18 @@ inline WallPoint nearest_point(const SmoothWall& wall, const PlaneVector& centre
   return {{-radial.x, -radial.y}, from_centre - wall.radius, place};
 }
 
-/// 1/R of a circle (1/m), negative where the discs are inside; 0 of a flat wall.
+/// 1/R of a circle (1/m), negative if the discs are inside; 0 for a flat wall.
 inline double curvature(const SmoothWall& wall) {
   if (wall.shape == WallShape::flat) return 0.0;
   return (wall.shape == WallShape::circle_around ? -1 : 1) / wall.radius;
 }
 
-/// a R/(a + R), for Hertz's law (m).
+/// Reduced radius a R/(a + R) for Hertz's law (m).
 constexpr double reduced_radius_at(double curvature, double disc_radius) {
   return disc_radius / (1 + disc_radius * curvature);
 }
 
-/// Velocity of the wall's material at a point of its surface (m/s).
+/// Material velocity of the wall at a point of its surface (m/s).
 inline PlaneVector velocity_at(const SmoothWall& wall, const PlaneVector& place) {
   const double x = place.x - wall.point.x, y = place.y - wall.point.y;
   PlaneVector v{wall.velocity.x - wall.rotation_rate * y, wall.velocity.y + wall.rotation_rate * x};
@@ -83,7 +82,7 @@ inline PlaneVector velocity_at(const SmoothWall& wall, const PlaneVector& place)
   return v;
 }
 
-/// How far the surface of a wall has moved along its normal, at most (m).
+/// Upper bound on the displacement of the wall's surface along its normal (m).
 inline double displacement(const SmoothWall& from, const SmoothWall& to) {
   const double x = to.point.x - from.point.x, y = to.point.y - from.point.y;
   if (to.shape == WallShape::flat) return std::abs(x * to.outward.x + y * to.outward.y);
@@ -97,7 +96,7 @@ struct MovingDisc {
   double radius;         // m
 };
 
-/// Overlap and relative velocities, with the spring that there was before.
+/// Overlap and relative velocities of a disc at a wall; xi is the spring before this step.
 inline ContactState state_at_wall(const SmoothWall& wall, const WallPoint& point, const MovingDisc& disc,
                                   double xi) {
   const PlaneVector v = velocity_at(wall, point.place);
@@ -107,14 +106,14 @@ inline ContactState state_at_wall(const SmoothWall& wall, const WallPoint& point
           w_y * n.x - w_x * n.y + disc.spin * point.distance, xi};
 }
 
-/// What a spring law keeps of a disc at a wall.
+/// Contact history of a disc at a wall, for laws with a spring.
 struct WallSpring {
   double xi = 0.0;         // m
-  double slip_rate = 0.0;  // in the middle of the last step (m/s)
+  double slip_rate = 0.0;  // at the middle of the last step (m/s)
   bool touching = false;
 };
 
-/// Force on a disc that touches a wall; moves the spring like the pair loop does.
+/// Force on a disc in contact with a wall; updates the spring as the pair loop does.
 template <Effects effects>
 ContactForce wall_contact_force(const ContactParameters& parameters, const ContactState& state,
                                 const StepOfSlip& step, WallSpring& spring) {
@@ -133,7 +132,7 @@ ContactForce wall_contact_force(const ContactParameters& parameters, const Conta
   }
 }
 
-/// What discs do to a wall.
+/// Load of the discs on a wall.
 struct WallLoad {
   double pressing = 0.0;  // sum of f_n (N), > 0 pushes the wall away from the discs
   PlaneVector force;      // on the wall (N)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Time since a motion began, counted in whole steps so that no rounding error is summed up, whatever the
-// number of steps. The time step may change: the clock then starts a new count at the step where it changed.
+// Time since a motion began, counted in whole steps so that rounding errors do not accumulate, however long
+// the run. If the time step changes, the clock starts a new count at that step.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@ namespace mikromakro::physics {
 class StepClock {
  public:
   StepClock() = default;
-  // The motion has lasted `elapsed` (s) at step `step`; from there on every step lasts `dt` (s).
+  // `elapsed` (s) has passed at step `step`; from there on the time step is `dt` (s).
   StepClock(double elapsed, std::int64_t step, double dt) : elapsed_(elapsed), step_(step), dt_(dt) {}
 
   // elapsed + (step - first step) dt, in s; one rounding of a product and one of a sum.
   [[nodiscard]] double time_at(std::int64_t step) const {
     return elapsed_ + static_cast<double>(step - step_) * dt_;
   }
-  // From `step` on every step lasts `dt`.
+  // Changes the time step to `dt` from step `step` on.
   void change_step_length(std::int64_t step, double dt) { *this = StepClock(time_at(step), step, dt); }
-  // The engine counts its steps anew: `shift` is the new number of a step minus its old one.
+  // For when the engine renumbers its steps: `shift` is the new number minus the old.
   void shift_steps(std::int64_t shift) { step_ += shift; }
 
   [[nodiscard]] double elapsed() const { return elapsed_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What several fixes say of one thing has to be the same.
+// Consistency checks across fixes.
 #pragma once
 
 #include "styles_never_throw.h"
@@ -10,16 +10,16 @@ class LAMMPS;
 
 namespace mikromakro::styles {
 
-/// A fix that divides forces by the thickness of the discs, or writes it down.
+/// A fix that divides forces by the disc thickness or writes the thickness to a file.
 class KnowsHeight {
  public:
   virtual ~KnowsHeight() noexcept(styles_never_throw) = default;
-  /// m; 0: it was not given.
+  /// m; 0 if not given.
   virtual double given_height() const = 0;
 };
 
-/// One warning each where fixes have been given different heights, so that their stresses do not fit
-/// together, and where walls of two fixes have the same id in contact rows. At the start of a run.
+/// Warns, once each, if fixes have different heights, so that their stresses are inconsistent, and if walls
+/// of two fixes have the same id in contact rows. Call at the start of a run.
 void warn_of_disagreement(LAMMPS_NS::LAMMPS& engine);
 
 }  // namespace mikromakro::styles

@@ -16,7 +16,7 @@
 namespace mikromakro::styles {
 namespace {
 
-// The whole text has to be the number; the engine's own reader takes "1.5.3" and "--" as numbers.
+// The whole text must be a number; the engine's own parser accepts "1.5.3" and "--".
 template <class Number>
 bool parse(std::string_view text, Number& value) {
   if (text.starts_with('+')) text.remove_prefix(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Reads the arguments of a style in an input script one by one. What does not fit ends the run on all ranks
-// with one line: the style, the argument, what was expected and what was found.
+// Reads the arguments of a style in an input script one by one. Invalid input stops the run on all ranks with
+// one line: the style, the argument, what was expected and what was found.
 #pragma once
 
 #include <set>
@@ -13,7 +13,7 @@ class LAMMPS;
 
 namespace mikromakro::styles {
 
-// Ends the run on all ranks with "style: what". Every rank has to call it.
+// Stops the run on all ranks with "style: what". Collective.
 [[noreturn]] void stop(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std::string& what);
 
 class Arguments {
@@ -23,12 +23,12 @@ class Arguments {
       : engine_(engine), style_(std::move(style)), count_(narg), next_(first), arguments_(arg) {}
 
   [[nodiscard]] bool more() const { return next_ < count_; }
-  // If the next argument is `keyword`, takes it.
+  // Consumes the next argument if it is `keyword`.
   bool take(std::string_view keyword);
-  // The same for a keyword that may stand once: fails where it stands again.
+  // As take(), but a repeated keyword is an error.
   bool take_once(std::string_view keyword);
 
-  // `name` is what the documentation calls the argument.
+  // `name` is the argument's name in the documentation, for error messages.
   std::string word(const std::string& name);
   double number(const std::string& name);
   double positive(const std::string& name);
@@ -36,8 +36,7 @@ class Arguments {
   long integer(const std::string& name, long least, long most);
 
   [[noreturn]] void fail(const std::string& what) const { stop(engine_, style_, what); }
-  // For a place where none of the accepted keywords stands: names them, and the one that looks most like what
-  // stands there.
+  // Reports an argument that is none of the accepted keywords: lists them and suggests the closest match.
   [[noreturn]] void unexpected(const std::string& accepted);
 
  private:
@@ -51,10 +50,10 @@ class Arguments {
   std::set<std::string, std::less<>> taken_once_;
 };
 
-// 'word', with the one of the words of a text that was meant, if one looks like it.
+// 'word', followed by the most similar word in `names`, if there is one.
 std::string quoted_with_guess(const std::string& word, const std::string& names);
 
-// A number as users write it: 0.0053, not 0.005300000.
+// A number formatted as users write it: 0.0053, not 0.005300000.
 std::string text_of(double value);
 
 }  // namespace mikromakro::styles

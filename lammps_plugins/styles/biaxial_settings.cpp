@@ -69,8 +69,8 @@ void check(const Arguments& arguments, const BiaxialSettings& settings) {
 BiaxialSettings parse_biaxial(LAMMPS_NS::LAMMPS& engine, Arguments& arguments) {
   BiaxialSettings settings;
   std::array<bool, 4> given{};
-  std::array<bool, 5> typed{};  // for all walls, and for each
-  int side = -1;                // the last one named
+  std::array<bool, 5> typed{};  // type given: for all walls, for each wall
+  int side = -1;                // the last wall named
   while (arguments.more()) {
     if (const int named = take_side(arguments); named >= 0) {
       side = named;

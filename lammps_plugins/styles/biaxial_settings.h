@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The arguments of fix biaxial/2d, and of fix_modify on it.
+// Arguments of fix biaxial/2d and of its fix_modify.
 #pragma once
 
 #include <array>
@@ -26,9 +26,9 @@ struct WallControl {
 };
 
 struct BiaxialWallSettings {
-  double position = 0.0;  // at first (m)
+  double position = 0.0;  // initial (m)
   WallControl control;
-  int type = 0;  // whose material constants the wall has
+  int type = 0;  // atom type that supplies the material constants
 };
 
 struct BiaxialSettings {
@@ -38,7 +38,7 @@ struct BiaxialSettings {
 
 BiaxialSettings parse_biaxial(LAMMPS_NS::LAMMPS& engine, Arguments& arguments);
 
-// What fix_modify may change while the walls stay where they are.
+// Changes by fix_modify; the walls keep their positions.
 struct BiaxialChange {
   std::array<std::optional<WallControl>, 4> controls;
   bool reset = false;

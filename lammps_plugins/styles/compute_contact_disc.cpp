@@ -17,7 +17,7 @@ ComputeContactDisc::ComputeContactDisc(LAMMPS* engine, int& iarg, int narg, char
   if (narg != iarg)
     Arguments(*lmp, "compute contact/disc", narg, arg, iarg).unexpected("no arguments after the style");
   local_flag = 1;
-  timeflag = 1;  // fixes say when they will ask
+  timeflag = 1;  // fixes announce when they will read
   size_local_cols = contact_columns;
   size_local_rows = 0;
   array_local = nullptr;

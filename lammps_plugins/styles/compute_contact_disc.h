@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// compute contact/disc: one row for each contact, with the forces that were applied in the step.
+// compute contact/disc: one row per contact, with the forces applied in this step.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ namespace mikromakro::styles {
 
 /// compute ID group contact/disc
 ///
-/// Local rows with the columns of contact_rows.h, contacts with walls included. Both discs have to be in the
-/// group. Nothing is evaluated again: the rows are what pair style and walls applied.
+/// Local rows with the columns of contact_rows.h, including contacts with walls. Both discs must be in the
+/// group. Nothing is re-evaluated: the rows hold the forces that pair style and walls applied.
 class ComputeContactDisc : public ComputeOfEngine {
  public:
   ComputeContactDisc(LAMMPS_NS::LAMMPS* engine, int& iarg, int narg, char** arg);
@@ -22,7 +22,7 @@ class ComputeContactDisc : public ComputeOfEngine {
 
  private:
   std::vector<ContactRow> rows_;
-  std::vector<double*> row_pointers_;  // the engine wants an array of rows
+  std::vector<double*> row_pointers_;  // array_local expects row pointers
 };
 
 }  // namespace mikromakro::styles

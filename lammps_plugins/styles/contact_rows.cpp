@@ -23,7 +23,7 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-/// The same contact where the discs stand now.
+/// The same contact at the discs' present positions.
 AppliedContact moved(const Atom& atom, AppliedContact c) {
   const double x = atom.x[c.j][0] - atom.x[c.i][0], y = atom.x[c.j][1] - atom.x[c.i][1];
   const double distance = std::hypot(x, y);
@@ -33,7 +33,7 @@ AppliedContact moved(const Atom& atom, AppliedContact c) {
   return c;
 }
 
-/// Ours, and those of the engine that ask the pair style for single contacts.
+/// Our compute, and the engine's computes that evaluate single contacts of the pair style.
 bool reads_contacts(const Compute& compute) {
   constexpr std::array names = {"contact/disc", "pair/local", "fabric", "group/group"};
   return std::any_of(names.begin(), names.end(),
@@ -88,14 +88,13 @@ bool append_contact_rows(LAMMPS& engine, int group_bit, std::vector<ContactRow>&
   const auto* contacts = law ? law->applied_contacts() : nullptr;
   if (!contacts) return false;
   const Atom& atom = *engine.atom;
-  // A box that changes takes discs along after their forces were found, and dumps show them there.
+  // A changing box moves discs after their forces were evaluated, and dumps show the moved positions.
   const bool box_changes = engine.domain->box_change != 0;
   if (box_changes) engine.comm->forward_comm();
   law->tell_of_deep_overlaps();
   for (const auto& c : *contacts) {
     if (!(atom.mask[c.i] & group_bit) || !(atom.mask[c.j] & group_bit)) continue;
-    // A contact across a rank boundary is evaluated on both sides; the side that owns the larger id reports
-    // it.
+    // A contact across a rank boundary is evaluated on both ranks; the owner of the larger id reports it.
     if (c.j >= atom.nlocal && atom.tag[c.i] <= atom.tag[c.j]) continue;
     rows.push_back(row_of(atom, box_changes ? moved(atom, c) : c));
   }

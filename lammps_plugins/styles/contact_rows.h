@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The contacts of a step as rows, from the pair style and from every fix with walls, for all that hands them
-// on: compute contact/disc, snapshots, averages taken in the run.
+// The contacts of a step as rows, from the pair style and from all fixes with walls. Used by compute
+// contact/disc, snapshots and in-situ averages.
 #pragma once
 
 #include <array>
@@ -17,40 +17,40 @@ class Compute;
 namespace mikromakro::styles {
 
 /// id1 id2 x1 y1 x2 y2 nx ny overlap fx fy fn ft xi vn vt: signs as in physics/contact_law.h, the force acts
-/// on 1, x2 y2 are those of the image that touches (of the contact point for a wall, whose id is <= 0); SI.
+/// on 1, x2 y2 is the periodic image in contact (for a wall, whose id is <= 0: the contact point); SI units.
 inline constexpr int contact_columns = 16;
 using ContactRow = std::array<double, contact_columns>;
 
-/// A wall as contact rows show it, the atom type whose material constants it has, and its curvature (1/m):
-/// 1/R of a circle, negative where the discs are inside, 0 of a flat wall. Of the last force evaluation.
+/// A wall at the last force evaluation: id in contact rows, atom type that supplies the material constants,
+/// and curvature (1/m): 1/R for a circle, negative if the discs are inside, 0 for a flat wall.
 struct WallKind {
   int id, type;
   double curvature;
 };
 
-/// A fix whose walls touch discs.
+/// A fix with walls in contact with discs.
 class WallContactSource {
  public:
   virtual ~WallContactSource() noexcept(styles_never_throw) = default;
-  /// Appends a row for each contact of an owned disc of the group as it was applied in this step. False: the
-  /// step was not recorded.
+  /// Appends a row for each wall contact of an owned disc of the group, as applied in this step. Returns
+  /// false if the step was not recorded.
   virtual bool append_wall_contacts(int group_bit, std::vector<ContactRow>& rows) const = 0;
   virtual std::vector<WallKind> wall_kinds() const = 0;
 };
 
-/// A fix that reads contacts in steps of its own, of which the engine's output does not know.
+/// A fix that reads contacts in steps of its own, which are not in the engine's output schedule.
 class ContactObserver {
  public:
   virtual ~ContactObserver() noexcept(styles_never_throw) = default;
   virtual bool wants_contacts_at(LAMMPS_NS::bigint step) const = 0;
 };
 
-/// The steps in which contacts are kept for those who read them: the set-up, the last step, those that the
-/// engine has scheduled for thermo, dumps or restarts where there is a compute contact/disc, those for which
-/// another fix has asked one (fix ave/time and others of a compute reduce), and those that an observer wants.
+/// The steps in which contacts are recorded: the set-up; the last step; steps scheduled for thermo, dumps or
+/// restarts if a compute contact/disc exists; steps for which another fix has requested one (e.g. fix
+/// ave/time through a compute reduce); and steps requested by an observer.
 class ContactSchedule {
  public:
-  /// At the start of a run, when all fixes and computes are defined.
+  /// Call at the start of a run, when all fixes and computes are defined.
   void look_up(LAMMPS_NS::LAMMPS& engine);
   bool due(const LAMMPS_NS::Update& update, const LAMMPS_NS::Output& output) const;
 
@@ -59,10 +59,10 @@ class ContactSchedule {
   std::vector<const ContactObserver*> observers_;
 };
 
-/// Appends the contacts of this step between discs of the group, then those of such discs with walls; each
-/// contact on one rank only. Forces are those that were applied, geometry is that of now: a box that changes
-/// at the end of a step takes discs along. Called by all ranks together. False: the step was not recorded, or
-/// there is no disc law.
+/// Appends the contacts of this step between discs of the group, then those of these discs with walls; each
+/// contact on one rank only. Forces are those applied; the geometry is current, because a box change at the
+/// end of a step moves the discs. Collective. Returns false if the step was not recorded or there is no disc
+/// law.
 bool append_contact_rows(LAMMPS_NS::LAMMPS& engine, int group_bit, std::vector<ContactRow>& rows);
 
 }  // namespace mikromakro::styles

@@ -8,7 +8,7 @@
 namespace mikromakro::styles {
 namespace {
 
-// A radius that was not given is zero, which no keyword accepts.
+// A radius of zero, which no keyword accepts, means not given.
 struct Given {
   bool centre = false;
   bool rotation = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The arguments of fix couette/2d.
+// Arguments of fix couette/2d.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 
 namespace mikromakro::styles {
 
-// Rough: the wall discs of a group. Smooth: a wall along the circle, with the material of an atom type.
+// Rough ring: the wall discs of a group. Smooth ring: a circular wall with the material of an atom type.
 struct Ring {
   std::string group;
-  int group_bit = 0;  // smooth: 0, no disc
+  int group_bit = 0;  // smooth: 0, no discs
   int type = 0;       // rough: 0
   physics::RingMotion motion;
 

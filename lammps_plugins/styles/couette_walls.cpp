@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix couette/2d with smooth rings: walls along the circles.
+// fix couette/2d: smooth rings, as circular walls.
 #include "fix_couette_2d.h"
 
 namespace mikromakro::styles {

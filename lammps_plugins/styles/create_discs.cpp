@@ -126,7 +126,7 @@ void check_can_be_placed(const Arguments& arguments, const FillRequest& request,
 std::vector<physics::PlacedDisc> place(LAMMPS_NS::LAMMPS& engine, const Arguments& arguments,
                                        const FillRequest& request, const std::vector<double>& radii,
                                        physics::UniformNumbers& uniform) {
-  // Found out alike on every rank, so that all of them stop together.
+  // Determined identically on every rank, so that all stop together.
   std::string fault;
   try {
     return physics::place_discs(request.region, radii, request.gap, existing_discs(engine), uniform);

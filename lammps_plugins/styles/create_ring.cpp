@@ -73,7 +73,7 @@ std::vector<NewDisc> discs_of(const RingRequest& ring) {
   return discs;
 }
 
-/// Discs that are there overlap the nearest disc of the ring.
+/// Warns if existing discs overlap the ring; checks each against the nearest wall disc.
 void warn_of_overlaps(LAMMPS_NS::LAMMPS& engine, const RingRequest& ring) {
   const double step = 2.0 * std::numbers::pi / ring.number;
   long overlapping = 0;

@@ -33,7 +33,7 @@ namespace {
 
 constexpr int none = std::numeric_limits<int>::max();
 
-/// The smallest id, over all ranks, of the discs for which a condition holds.
+/// Smallest id, over all ranks, of the discs that satisfy a condition.
 template <class Condition>
 int first_disc(const LAMMPS& engine, Condition holds) {
   const Atom& atom = *engine.atom;
@@ -54,7 +54,7 @@ void check_positive(LAMMPS& engine, const std::string& style, const std::string&
            " above 0; 'set ... diameter' and a density give it");
 }
 
-/// The radii of the two largest discs.
+/// Radii of the two largest discs.
 std::array<double, 2> largest_radii(LAMMPS& engine) {
   std::array<double, 2> mine{};
   const auto take = [](std::array<double, 2>& two, double radius) {
@@ -71,9 +71,9 @@ std::array<double, 2> largest_radii(LAMMPS& engine) {
   return two;
 }
 
-/// A disc that touches its own image has a contact that no row of contacts, and so no stress, holds. Two
-/// discs that touch through two images have two springs, which the engines keep by the partner's id: the next
-/// list of neighbours gives both the same.
+/// The contact of a disc with its own image would be missing from contact rows and hence from the stress. Two
+/// discs in contact through two images have two springs, but the engines store springs by the partner's id:
+/// the next neighbour list would give both contacts the same spring.
 void check_box_width(LAMMPS& engine, const std::string& style, bool with_springs) {
   const Domain& domain = *engine.domain;
   const auto [largest, second] = largest_radii(engine);
@@ -96,7 +96,7 @@ void check_box_width(LAMMPS& engine, const std::string& style, bool with_springs
   }
 }
 
-/// Both would move it in each step.
+/// A disc with two integrators would be moved twice per step.
 void check_integrators(LAMMPS& engine, const std::string& style) {
   const Modify& modify = *engine.modify;
   for (const Fix* integrator : fixes(modify)) {
@@ -154,7 +154,7 @@ void warn_of_integrators(LAMMPS& engine, const std::string& style) {
          style + ": no fix integrates the discs, which will not move; expected 'fix ID group nve/disc'");
 }
 
-/// Smallest and largest radius, m/r^2 and m/r^3 of the discs of one type.
+/// Range of radius, m/r^2 and m/r^3 over the discs of one type.
 struct Spread {
   std::array<double, 3> least, largest;
   double relative(int k) const { return 1 - least[k] / largest[k]; }
@@ -177,7 +177,7 @@ Spread spread_of(const LAMMPS& engine, int type) {
   return {{-ends[0], -ends[1], -ends[2]}, {ends[3], ends[4], ends[5]}};
 }
 
-/// Masses that go with the cube of the radius; with one radius only, nothing can be known.
+/// Warns if masses scale with the cube of the radius; undecidable if all radii are equal.
 void warn_of_spheres(LAMMPS& engine, const std::string& style) {
   constexpr double clear = 1e-3, rounding = 1e-6;
   for (int type = 1; type <= engine.atom->ntypes; ++type) {

@@ -46,7 +46,7 @@ void add_disc(LAMMPS_NS::Atom& atom, const NewDisc& disc, double* position, doub
   atom.v[i][1] = disc.velocity.y;
 }
 
-// What the engine's own create_atoms does after it has added atoms.
+// Does what the engine's own create_atoms does after adding atoms.
 void announce_new_atoms(LAMMPS_NS::LAMMPS& engine, int first) {
   LAMMPS_NS::Atom& atom = *engine.atom;
   for (LAMMPS_NS::Fix* fix : fixes(*engine.modify)) {
@@ -116,7 +116,7 @@ void insert_discs(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std
 
 namespace {
 
-// Those that reach into the box through its periodic boundaries, or nearly.
+// Adds images that reach, or nearly reach, into the box through its periodic boundaries.
 void add_images(const LAMMPS_NS::Domain& domain, std::vector<physics::PlacedDisc>& discs) {
   double largest = 0;
   for (const auto& disc : discs) largest = std::max(largest, disc.radius);

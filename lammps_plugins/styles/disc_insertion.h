@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Inserts new discs into the running engine: every rank has the same list and takes what lies in its part
-// of the box, so that ids and positions do not depend on the number of ranks.
+// Inserts new discs into the engine. Every rank has the same list and keeps the discs in its subdomain, so
+// ids and positions do not depend on the number of ranks.
 #pragma once
 
 #include <string>
@@ -22,26 +22,25 @@ struct NewDisc {
   physics::PlaneVector velocity;  // m/s
 };
 
-// Ends the run on all ranks unless discs can be inserted now: a box exists, dimension 2, an atom style that
+// Stops the run on all ranks unless discs can be inserted: needs a box, dimension 2 and an atom style that
 // stores radius, mass and density.
 void check_ready_for_discs(LAMMPS_NS::LAMMPS& engine, const std::string& style);
 
-// Ends the run on all ranks if `what`, whose outermost points are `bounds`, does not fit into the box. Sides
-// that the engine moves with the discs (shrink-wrapped) are not checked.
+// Stops the run on all ranks if `what`, with bounding box `bounds`, does not fit into the simulation box.
+// Shrink-wrapped sides are not checked.
 void check_inside_box(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std::string& what,
                       const physics::Rectangle& bounds);
 
-// The ids go on after the largest existing one, in the order of the list. `areal_density` is rho h in kg/m^2,
-// so that the mass is pi a^2 areal_density, as LIGGGHTS itself has it in two dimensions (LAMMPS: of `set
-// density/disc`).
+// Ids continue from the largest existing one, in the order of the list. `areal_density` is rho h in kg/m^2;
+// the mass is pi a^2 areal_density, as in two-dimensional LIGGGHTS (LAMMPS: `set density/disc`).
 void insert_discs(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std::vector<NewDisc>& discs,
                   double areal_density);
 
-// All discs that exist, of all ranks, and their images that reach into a periodic box; their order depends on
-// the number of ranks.
+// All existing discs of all ranks, and periodic images that reach into the box; their order depends on the
+// number of ranks.
 std::vector<physics::PlacedDisc> existing_discs(LAMMPS_NS::LAMMPS& engine);
 
-// One line on screen and in the log file, from the first rank.
+// Prints one line on screen and in the log file, from the first rank.
 void say(LAMMPS_NS::LAMMPS& engine, const std::string& line);
 
 }  // namespace mikromakro::styles

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The contact law of a pair style: settings, constants, and one evaluation.
+// Contact law of a pair style: settings, constants and force evaluation.
 #include "disc_law.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ using physics::Tangential;
 
 namespace {
 
-/// What a restart file holds of the settings.
+/// The settings as stored in a restart file.
 struct SavedSettings {
   std::int64_t key;
   double impact_velocity;
@@ -117,7 +117,7 @@ void DiscLaw::read_settings(FILE* file, std::int64_t key) {
   choose_loops();
 }
 
-/// Velocities are predicted where every fix that integrates is fix nve/disc with `velocity predicted`.
+/// Velocities are predicted if every integrating fix is fix nve/disc with `velocity predicted`.
 void DiscLaw::find_integrators() {
   integrators_.clear();
   bool all_predict = true;
@@ -166,7 +166,8 @@ void DiscLaw::begin_run(std::vector<physics::ContactParameters> parameters) {
   growth_ = 0;
 }
 
-/// Once in each run, at its set-up; the engine also initialises when it writes a restart file.
+/// Called once per run, at its set-up, rather than on initialisation: the engine also initialises when it
+/// writes a restart file.
 void DiscLaw::start_run(const NeighList& list) {
   run_started_ = true;
   deep_overlaps_told_ = false;
@@ -241,7 +242,7 @@ void DiscLaw::evaluate(const Evaluation& evaluation) {
   if (packed_.clear_is_off) forces_are_not_cleared(*update->integrate) = 0;
   forces_are_stale_ = packed_.clear_is_off;
   packed_.check_is_off = packed_.clear_is_off = false;
-  // The same on all ranks, with discs or without.
+  // The same on all ranks, even on those without discs.
   packed_.open = evaluation.is_step && will_stay_open();
   recording_ = evaluation.is_step && schedule_.due(*update, *output);
   if (recording_) applied_.clear();

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The contact law of an engine's pair style: everything of it that engines have in common. An engine's own
-// class parses what its scripts look like, fetches material constants and hands over neighbour lists and
-// springs; this one loops over the pairs in two dimensions and adds forces and torques. The arithmetic of the
-// law is in physics/contact_law.h.
+// Engine-independent part of the pair style. The engine's own class parses the script, fetches material
+// constants and supplies neighbour lists and contact histories; this class loops over the pairs in two
+// dimensions and adds forces and torques. The force law itself is in physics/contact_law.h.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +30,7 @@ namespace mikromakro::styles {
 class Arguments;
 class FixNveDisc;
 
-/// One contact as it acted in the last force evaluation; signs as in physics/contact_law.h.
+/// A contact as applied in the last force evaluation; signs as in physics/contact_law.h.
 struct AppliedContact {
   int i, j;  // local indices; i is owned, j may be a ghost
   double n_x, n_y, overlap;
@@ -39,7 +38,7 @@ struct AppliedContact {
   double v_n, v_t;
 };
 
-/// A constant of the law as it was given, for all pairs of types at (i - 1) * types + j - 1.
+/// A material constant as given, for types i, j at (i - 1) * types + j - 1.
 struct MaterialConstant {
   std::string name, unit;
   std::vector<double> values;
@@ -55,66 +54,64 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   DiscLaw(const DiscLaw&) = delete;
   DiscLaw& operator=(const DiscLaw&) = delete;
 
-  /// As error lines begin.
+  /// Name of the pair style, as prefix of error messages.
   virtual std::string style() const = 0;
-  /// The constants that a script has given.
+  /// The material constants given in the script.
   virtual std::vector<MaterialConstant> given_constants() const = 0;
-  /// Has the engine copy springs from the pairs of the neighbour list to the atoms, with which they go into
-  /// files and to other ranks.
+  /// Makes the engine copy contact histories from the neighbour list to the atoms, for restart files and
+  /// migration to other ranks.
   virtual void keep_springs_with_atoms() = 0;
 
-  /// The contacts of the force evaluation of this step; nullptr where the step was not recorded.
+  /// Contacts of this step's force evaluation; nullptr if the step was not recorded.
   const std::vector<AppliedContact>* applied_contacts() const;
   physics::Effects effects() const { return effects_; }
-  /// Without friction spins do not change, and are not read.
+  /// Without friction, spins do not change and are not loaded.
   bool rows_have_spins() const { return effects_.tangential != physics::Tangential::none; }
-  /// What the law itself holds of pairs and contacts at present, and the engine in its lists of springs.
+  /// Memory of pairs and contacts, in this class and in the engine's contact histories.
   std::size_t bytes_of_pairs() const;
   std::size_t bytes_in_engine() const;
-  /// Pairs of this rank that touch at present.
+  /// Current number of touching pairs on this rank.
   std::size_t contacts() const;
-  /// For walls, which act under the same law: constants of two types (from 1 on), and whether the atoms carry
-  /// velocities that were predicted for the instant of their positions. Valid from the start of a run.
+  /// For walls, which use the same law: constants of two types (counted from 1), and whether velocities are
+  /// predicted for the time of the positions. Valid from the start of a run.
   const physics::ContactParameters& parameters(int type_1, int type_2) const;
   bool velocities_predicted() const { return predicted_; }
-  /// An owned disc as its contacts saw it in this step; nullptr where they have not been evaluated.
+  /// An owned disc as used in this step's contact evaluation; nullptr before the evaluation.
   const physics::DiscRow* seen(int i) const;
-  /// One warning in each run where recorded contacts overlap by more than half of the smaller radius. Called
-  /// by all ranks together.
+  /// Warns, once per run, if a recorded overlap exceeds half of the smaller radius. Collective.
   void tell_of_deep_overlaps();
-  /// Elastic force of the contact of this rank that is pressed most [N].
+  /// Largest elastic contact force on this rank [N].
   double strongest_contact() const;
-  /// Of each type [m], for which the engine makes its lists: of all ranks at the start of the run, and of
-  /// discs that fixes are going to insert.
+  /// Largest radius of each type [m], which the engine's neighbour lists are made for: over all ranks at the
+  /// start of the run, including discs that fixes will insert.
   double largest_radius(int type) const { return largest_radii_[type]; }
 
-  /// Shared with the fixes that move discs.
+  /// Packed disc data, shared with the fixes that move discs.
   PackedDiscs& packed_discs() { return packed_; }
-  /// While the state is open, contacts need not act before the next step begins: then discs are moved on as
-  /// soon as all their contacts have acted, while their rows are still in the processor's cache. Whoever
-  /// looks at loads before calls this one; whoever integrates gives what moves on all discs before a number.
+  /// With fused half-kicks ("open" state), contact forces are not needed until the next step begins; each
+  /// disc is then moved as soon as all its contacts have been evaluated, while its row is still in cache.
+  /// Call before reading loads; the integrator passes a function that advances all discs with index < before.
   using MoveDiscs = std::function<void(int before)>;
   void complete_step(const MoveDiscs& move_discs = {});
-  /// Puts what waits here into the engine's arrays: places and velocities of the rows, loads, springs.
+  /// Writes pending data back to the engine's arrays: positions and velocities of the rows, loads, springs.
   void close();
   void put_discs_into_engine();
   void put_disc_into_engine(int i);
   void put_springs_into_engine();
-  /// Whether nobody looks at the end of the present step.
+  /// True if nothing reads end-of-step data in this step.
   bool will_stay_open() const { return packed_.may_stay_open && !readers_.any_at_present_step(*lmp); }
-  /// For how many steps, this one included, for which rows are there, no disc can leave its half of the
-  /// neighbour list's skin while none gets faster than six times the fastest one now.
+  /// Number of steps, including this one (whose rows must be up to date), within which no disc can move
+  /// beyond half the skin of the neighbour list, provided none exceeds six times the current maximum speed.
   int steps_neighbours_suffice();
-  /// For how many of them no pair can have come so close, at the present speed, that the near ones have to be
-  /// found anew.
+  /// Number of steps for which the inner list stays valid at the present speed.
   int steps_near_pairs_suffice() const;
 
  protected:
-  /// Columns of the springs in an engine's history of contacts.
+  /// Columns of the engine's contact history.
   static constexpr int history_xi = 0, history_slip_rate = 1, history_size = 2;
 
-  /// The engine's lists beside its neighbour list: of disc i and its neighbour number k, whether they touch,
-  /// and from values[i] + stride k on their spring.
+  /// The engine's history arrays that accompany its neighbour list: for neighbour k of disc i, whether the
+  /// two touch, and its values from values[i] + stride k on.
   struct History {
     int** touching;
     double** values;
@@ -123,15 +120,15 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   /// One call of the engine's pair style.
   struct Evaluation {
     const LAMMPS_NS::NeighList& list;
-    bool is_step;        // the forces act; otherwise somebody asks for them again
-    bool moves_springs;  // not in a set-up
-    bool is_observed;    // the engine wants each contact, see tell_engine()
+    bool is_step;        // false: re-evaluation for output
+    bool moves_springs;  // false in a set-up
+    bool is_observed;    // the engine wants each contact: see tell_engine()
   };
-  /// A contact for the engine's own sums: force and torque on disc i, vector from i to j.
+  /// A contact for the engine's own tallies: force and torque on disc i, vector from i to j.
   struct ObservedContact {
     int i, j;
     double d_x, d_y, overlap, f_x, f_y, torque;
-    double* history;  // nullptr where the law has no spring
+    double* history;  // nullptr for laws without a spring
   };
 
   virtual History history() = 0;
@@ -142,15 +139,15 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
 
   // Settings of the pair style: forget_settings(), any number of take_setting(), use_settings().
   void forget_settings(physics::Normal normal, physics::Tangential tangential);
-  bool take_setting(Arguments& arguments);  // false: the next argument is no keyword of the law
+  bool take_setting(Arguments& arguments);  // false: not a keyword of the law
   bool take_switch(Arguments& arguments, const char* key, bool& value) const;
   void set_tangential(physics::Tangential tangential) { effects_.tangential = tangential; }
   void use_settings();
-  /// `key` tells the pair style in a restart file.
+  /// `key` identifies the pair style in a restart file.
   void write_settings(std::FILE* file, std::int64_t key) const;
   void read_settings(std::FILE* file, std::int64_t key);
 
-  /// At the start of a run, with the constants of types i, j at (i - 1) * types + j - 1.
+  /// Call at the start of a run, with the constants of types i, j at (i - 1) * types + j - 1.
   void begin_run(std::vector<physics::ContactParameters> parameters);
   void evaluate(const Evaluation& evaluation);
 
@@ -167,8 +164,7 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   void choose_among(std::integer_sequence<int, numbers...> combinations);
   template <physics::Effects effects>
   void use_loops_of();
-  /// What has happened to discs since the evaluation before: how far any has moved, and how much any radius
-  /// has grown, at most [m].
+  /// Upper bounds, over all discs, on displacement and radius growth since the previous evaluation [m].
   struct Change {
     double moved, growth;
   };
@@ -194,46 +190,48 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
 
   physics::Effects effects_;
   bool tangential_damping_ = false;
-  double impact_velocity_ = 0;  // [m/s] to be expected, for the time step; 0: not given
+  double impact_velocity_ = 0;  // expected, for the time step check [m/s]; 0: not given
   bool run_started_ = false;
-  std::vector<physics::ContactParameters> parameters_;  // of type i and type j at (i - 1) * types + j - 1
+  std::vector<physics::ContactParameters> parameters_;  // of types i, j at (i - 1) * types + j - 1
   PackedDiscs packed_;
   std::vector<FixNveDisc*> integrators_;
-  LAMMPS_NS::bigint rows_step_ = -1;  // of which the rows are
+  LAMMPS_NS::bigint rows_step_ = -1;  // step that the rows belong to
   EndOfStepReaders readers_;
   std::unique_ptr<physics::ContactBatch> batch_ = std::make_unique<physics::ContactBatch>();
-  // Since the neighbour list was built: its pairs, the first of each disc, and for laws with a spring the
-  // engine's flags and histories of contacts, and which pairs touched in the last step.
+  // Flattened neighbour list, renewed with each build: its pairs and the first pair of each disc; for laws
+  // with a spring also the engine's contact flags and histories, and which pairs touched in the last step.
   std::vector<physics::DiscPair> pairs_;
   bool pairs_known_ = false;
   std::vector<int> first_pair_;
   int** flags_ = nullptr;
   std::vector<double*> histories_;
   std::vector<char> in_contact_;
-  // Since the last look at all pairs: those that may touch, how far any disc has moved at most [m], steps.
+  // Inner list, and since it was last pruned: upper bound on the displacement of any disc [m], number of
+  // steps.
   physics::NearPairs near_;
   double near_gap_ = 0, moved_ = 0;
   int steps_of_near_ = 0;
-  double fastest_path_ = 0;  // of any disc in a step, of late [m]
-  // Since the neighbour list was built: where owned discs were then, how far any has moved at most [m].
+  double fastest_path_ = 0;  // longest path per step, at recent speeds [m]
+  // Positions of owned discs at the last neighbour list build, and the upper bound on their displacement
+  // since [m].
   std::vector<physics::PlaneVector> built_at_;
   double path_ = 0;
-  // Radii [m]: see largest_radius(); how far they reach beyond what the present lists were made for, and how
-  // much any has grown in the last step, at most.
+  // Radii [m]: see largest_radius(); the excess over the radii that the present lists were made for; the
+  // largest growth in the last step.
   std::vector<double> largest_radii_;
   double beyond_lists_ = 0, growth_ = 0;
-  double sum_of_radii_ = 0;        // of all discs, before the set-up of the run [m]
-  bool lists_are_old_ = false;     // radii have grown since, in the set-up itself
-  bool forces_are_stale_ = false;  // the engine has not cleared its forces in this step
-  bool springs_wait_ = false;      // the engine's histories are behind
-  bool one_material_ = false;      // all pairs of types have the same constants
-  bool ordered_ = false;           // pairs ascend in their first disc, whose number is the smaller one
+  double sum_of_radii_ = 0;        // of all discs, before the set-up [m]
+  bool lists_are_old_ = false;     // radii grew during the set-up itself
+  bool forces_are_stale_ = false;  // engine forces not cleared in this step
+  bool springs_wait_ = false;      // contact history not yet written back
+  bool one_material_ = false;      // one set of constants for all types
+  bool ordered_ = false;           // pairs sorted by first disc i, and i < j
   std::optional<Evaluation> waiting_;
   LAMMPS_NS::bigint evaluated_step_ = -1;
   Preparation preparation_ = nullptr;
   Loop plain_loop_ = nullptr;
   Loop observed_loop_ = nullptr;
-  // The atoms carry velocities that were predicted for the instant of their positions.
+  // Velocities are predicted for the time of the positions.
   bool predicted_ = false;
   ContactSchedule schedule_;
   bool recording_ = false;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The pair loop of the disc law: one instance for each combination of effects, each plain and observed.
+// Pair loop of the disc law: one instance per combination of effects, each with and without recording of
+// contacts.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -32,13 +33,13 @@ namespace {
 
 using Vector3 = double[3];
 
-/// What a batch of pairs reads and writes.
+/// Input and output of a batch of pairs.
 struct BatchOfPairs {
   const DiscRow* discs;
   DiscLoad* loads;
   const DiscPair* pairs;
   int count;
-  int ahead;  // of the pairs behind them, how many are to be fetched from memory
+  int ahead;  // number of following pairs to prefetch
   bool predicted;
   double dt;
 };
@@ -68,9 +69,9 @@ void DiscLaw::stop_at_coincident_centres(const ContactBatch& c, const DiscPair* 
              ": their contact has no normal");
 }
 
-/// Rows of the discs, owned or ghost, from number `first` on, from the engine's arrays, which would cost a
-/// cache line each for every neighbour. The change that is returned means something where discs have the
-/// numbers that they had.
+/// Packs the discs, owned or ghost, from index `first` on; reading the engine's arrays in the pair loop would
+/// cost a cache line per array and neighbour. The returned change is meaningful only if indices are
+/// unchanged.
 template <bool spins>
 DiscLaw::Change DiscLaw::gather(int first) {
   const int count = atom->nlocal + atom->nghost;
@@ -94,7 +95,7 @@ DiscLaw::Change DiscLaw::gather(int first) {
   return {moved, growth};
 }
 
-/// Copies the engine's neighbour list, which it has just built, into one flat list of pairs.
+/// Copies the engine's newly built neighbour list into one flat list of pairs.
 template <Effects effects>
 void DiscLaw::flatten(const NeighList& list) {
   pairs_known_ = true;
@@ -131,7 +132,8 @@ FOR_EACH_PROCESSOR void find_near(physics::NearPairs& near, const std::vector<Di
 
 }  // namespace
 
-/// Looks through all pairs for those that may touch before the discs have moved by a small part of the skin.
+/// Rebuilds the inner list: prunes all pairs to those that may touch before the discs have moved by a small
+/// part of the skin.
 template <Effects effects>
 void DiscLaw::find_near_pairs() {
   if (steps_of_near_ > 0) fastest_path_ = moved_ / steps_of_near_;
@@ -149,8 +151,8 @@ void DiscLaw::find_near_pairs() {
   }
 }
 
-/// Of the pairs from `first` on, one batch, those that began to touch get a spring of zero, and those that
-/// ceased to lose theirs.
+/// In the batch of pairs from `first` on, gives new contacts an unstretched spring and deletes the springs of
+/// contacts that ended.
 void DiscLaw::begin_and_end_contacts(ContactBatch& c, int first, int count, double dt) {
   for (int k = 0; k < count; ++k) {
     if (c.touches(k) == (c.springs->touched[k] != 0)) continue;
@@ -158,7 +160,7 @@ void DiscLaw::begin_and_end_contacts(ContactBatch& c, int first, int count, doub
     in_contact_[number] = c.touches(k);
     flags_[i][number - first_pair_[i]] = c.touches(k);
     physics::begin_or_end_contact(c, k, {dt, predicted_});
-    // A set-up works on a copy of the springs, but a contact that it finds has begun.
+    // A set-up works on a copy of the springs, but contact onset is recorded there too.
     const double slip_rate = c.springs->slip_rate[k];
     near_.set_spring(first + k, c.touches(k), 0, slip_rate);
     histories_[number][history_xi] = 0;
@@ -166,7 +168,7 @@ void DiscLaw::begin_and_end_contacts(ContactBatch& c, int first, int count, doub
   }
 }
 
-/// Rows and near pairs for the present places.
+/// Brings packed disc data and inner list up to date with the present positions.
 template <Effects effects>
 void DiscLaw::prepare(const Evaluation& evaluation) {
   const bool rows_are_there = packed_.step == update->ntimestep && neighbor->ago != 0;
@@ -190,7 +192,7 @@ void DiscLaw::prepare(const Evaluation& evaluation) {
 
 template <Effects effects, bool observed>
 void DiscLaw::act(const Evaluation& evaluation, const MoveDiscs& move_discs) {
-  // No time goes by in a set-up and in a minimisation.
+  // No time passes in a set-up or a minimisation.
   const bool move_spring = evaluation.is_step && evaluation.moves_springs && update->whichflag == 1;
   const double dt = move_spring ? update->dt : 0.0;
   const bool exceed_cache = packed_.exceed_cache();
@@ -218,7 +220,7 @@ void DiscLaw::act(const Evaluation& evaluation, const MoveDiscs& move_discs) {
         if (c.touches(k)) observe(evaluation, c, k, first);
       }
     }
-    // Pairs that follow have none of the discs before their first one.
+    // The following pairs involve no disc before the first disc of the next pair.
     if (move_discs && ordered_ && first + count < near_.size()) move_discs(batch.pairs[count].i);
   }
   springs_wait_ = springs_wait_ || (effects.spring() && move_spring);
@@ -226,7 +228,7 @@ void DiscLaw::act(const Evaluation& evaluation, const MoveDiscs& move_discs) {
   if (!evaluation.is_step) {
     std::fill(packed_.loads.begin(), packed_.loads.end(), DiscLoad{});
   } else if (packed_.open) {
-    // Loads of ghosts are known to their own ranks.
+    // Loads of ghosts are computed on their own ranks.
     std::fill(packed_.loads.begin() + atom->nlocal, packed_.loads.end(), DiscLoad{});
   } else {
     close();
@@ -241,7 +243,7 @@ void DiscLaw::set_materials(ContactBatch& c, const DiscPair* pairs, int count) c
   }
 }
 
-/// Hands one contact to whoever looks at it: our own record, the engine.
+/// Passes a contact to our own record and to the engine, if they want it.
 void DiscLaw::observe(const Evaluation& evaluation, const ContactBatch& c, int k, int first) {
   const auto [i, j] = near_.from(first)[k];
   if (recording_) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What waits in rows beside the engine's arrays, how far discs have moved, and how it all gets into the
-// engine.
+// Data not yet written back to the engine's arrays, displacements of discs, and the write-back.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -26,7 +25,7 @@ using physics::Tangential;
 
 namespace {
 
-/// The largest square of the distance that any of the first discs has moved from where it was.
+/// Largest squared displacement of the leading (owned) discs from their positions in `from`.
 FOR_EACH_PROCESSOR double furthest_squared(const DiscRow* discs,
                                            const std::vector<physics::PlaneVector>& from) {
   double furthest = 0;
@@ -39,7 +38,7 @@ FOR_EACH_PROCESSOR double furthest_squared(const DiscRow* discs,
 
 }  // namespace
 
-/// The engine's Error::one is silent on all ranks but the first, and loses its line where the output is a
+/// The engine's Error::one is silent on all ranks but the first, and its message is lost if the output is a
 /// pipe.
 void DiscLaw::stop_alone(const std::string& what) const {
   const std::string text = "ERROR: " + style() + ": " + what + "\n";
@@ -50,8 +49,8 @@ void DiscLaw::stop_alone(const std::string& what) const {
   std::abort();
 }
 
-/// The engine makes a list of pairs that are within the skin of each other, but looks no further than the
-/// largest discs of the start of the run reach.
+/// The engine lists pairs with a gap below the skin, but searches only within the reach of the largest discs
+/// at the start of the run.
 void DiscLaw::remember_places() {
   path_ = 0;
   built_at_.clear();
@@ -71,14 +70,14 @@ void DiscLaw::remember_places() {
                "expected at most 0.4 of the skin, " +
                text_of(0.4 * neighbor->skin) + " m: a larger 'neighbor' distance, or 'run N every M'");
   }
-  // Of discs that grow in the step of a build their old numbers are not known; they go on growing.
+  // The growth in a step with a list build is unknown, since indices change; assume that of the last step.
   beyond_lists_ = beyond + growth_;
   lessen_trigger(lists_are_old_ ? neighbor->skin : beyond_lists_ + growth_);
   lists_are_old_ = false;
 }
 
-/// Discs that grow come closer as if they moved: the engine builds new lists as soon as any may have used up
-/// its half of the skin by both, or is about to in the next step.
+/// Growing discs approach each other as if they moved. The engine rebuilds its lists as soon as motion and
+/// growth together may have used up half the skin, or may do so in the next step.
 void DiscLaw::follow_growth(double growth) {
   if (growth == 0 && growth_ == 0) return;
   if (growth > neighbor->skin / 2) {
@@ -97,7 +96,7 @@ void DiscLaw::lessen_trigger(double by) {
 
 namespace {
 
-/// How many steps of that length [m] a way is long, up to plenty of them.
+/// Whole steps of length `step` [m] in a distance, capped at 1000.
 int steps_along(double way, double step) {
   constexpr int plenty = 1000;
   return way < plenty * step ? std::max(0, static_cast<int>(way / step)) : plenty;
@@ -106,12 +105,12 @@ int steps_along(double way, double step) {
 }  // namespace
 
 int DiscLaw::steps_neighbours_suffice() {
-  const double trigger = std::max(0.0, neighbor->skin / 2 * (1 - 1e-6) - beyond_lists_);  // beyond rounding
+  const double trigger = std::max(0.0, neighbor->skin / 2 * (1 - 1e-6) - beyond_lists_);  // rounding
   const auto steps_from = [&](double gone) {
     return gone < trigger ? 1 + steps_along(trigger - gone, 6 * packed_.furthest) : 0;
   };
   const int steps = steps_from(path_ + packed_.furthest);
-  if (steps > 0 || path_ >= 2 * trigger) return steps;  // looked at before, and found close to the trigger
+  if (steps > 0 || path_ >= 2 * trigger) return steps;  // already known to be close to the trigger
   const double now = std::sqrt(furthest_squared(packed_.discs.data(), built_at_));
   path_ = now < 0.9 * trigger ? now - packed_.furthest : 2 * trigger;
   return steps_from(path_ + packed_.furthest);
@@ -127,7 +126,7 @@ void DiscLaw::put_disc_into_engine(int i) {
   atom->x[i][1] = disc.y();
   atom->v[i][0] = disc.motion[0];
   atom->v[i][1] = disc.motion[1];
-  // Without friction spins do not change, and have not been read.
+  // Without friction, spins do not change and were not loaded.
   if (effects_.tangential != Tangential::none) atom->omega[i][2] = disc.motion[2];
 }
 
@@ -145,7 +144,7 @@ void DiscLaw::put_springs_into_engine() {
   springs_wait_ = false;
 }
 
-/// Adds the loads of the owned discs to the engine's forces and torques, and leaves none for the next step.
+/// Adds the loads of the owned discs to the engine's forces and torques, and clears them for the next step.
 void DiscLaw::close() {
   complete_step();
   if (packed_.step == update->ntimestep) put_discs_into_engine();

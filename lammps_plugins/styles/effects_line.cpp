@@ -61,7 +61,7 @@ std::vector<Effect> effects(const physics::Effects& law, const LAMMPS_NS::Modify
       {"bottom friction", any_fix(modify, style("bottom/friction"))},
       {"gravity", any_fix(modify, style("gravity"))},
       {"smooth walls", any_fix(modify, wall)}};
-  // Nobody misses them where there are none.
+  // Mentioned only if present.
   if (any_fix(modify, stock_wall)) all.push_back({"walls of the engine under their own law", true});
   return all;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a run simulates and what it leaves out, as one line for screen and log.
+// One line for screen and log: the effects that a run simulates and those it does not.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ class Modify;
 
 namespace mikromakro::styles {
 
-/// Names of the effects of the contact law and of the fixes that are defined: bottom friction, gravity,
-/// smooth walls (ours), walls of the engine (its fixes wall/...).
+/// Names of the effects of the contact law and of the defined fixes: bottom friction, gravity, our smooth
+/// walls, the engine's walls (its fixes wall/...).
 std::vector<std::string> simulated_effects(const physics::Effects& law, const LAMMPS_NS::Modify& modify);
 
 /// "Effects simulated: ...; not simulated: ...; dashpots see ... velocities".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the styles ask of an engine, and LIGGGHTS and LAMMPS answer differently: implemented once for each.
+// Engine interface: operations in which LIGGGHTS and LAMMPS differ, implemented once for each.
 #pragma once
 
 #include <functional>
@@ -23,80 +23,79 @@ namespace mikromakro::styles {
 
 class DiscLaw;
 
-/// The disc law that is active in this engine, or nullptr.
+/// The active disc law of the engine, or nullptr.
 DiscLaw* active_disc_law(LAMMPS_NS::LAMMPS& engine);
 
-/// The command that activates one, for error lines.
+/// The command that activates a disc law, for error messages.
 extern const char* const disc_pair_style;
 
-/// Makes the law known to an engine; calling it twice changes nothing.
+/// Registers the disc laws with an engine; idempotent.
 void register_disc_laws(LAMMPS_NS::LAMMPS& engine);
 
-/// "LIGGGHTS" or "LAMMPS"; with its version, for files.
+/// "LIGGGHTS" or "LAMMPS"; engine_name() adds the version, for output files.
 extern const char* const engine_family;
 std::string engine_name(const LAMMPS_NS::LAMMPS& engine);
 
-/// The law as -help shows it.
+/// The law as listed by -help.
 extern const char* const law_styles;
 
-// Tables of the engine: what a name in a script stands for.
+// The engine's style tables, by name in scripts.
 std::map<std::string, FixCreator>& fix_styles(LAMMPS_NS::Modify& modify);
 std::map<std::string, ComputeCreator>& compute_styles(LAMMPS_NS::Modify& modify);
 std::map<std::string, CommandCreator>& command_styles(LAMMPS_NS::Input& input);
 
-/// Not zero: the engine leaves forces and torques as they are before pair styles and fixes add theirs.
+/// Non-zero: the engine does not clear forces and torques before pair styles and fixes add theirs.
 int& forces_are_not_cleared(LAMMPS_NS::Integrate& integrate);
 
-/// Local numbers of the owned atoms that other ranks, or the other sides of a periodic box, see as ghosts;
-/// since the neighbour lists were built.
+/// Local indices of owned atoms that are ghosts on other ranks or across periodic boundaries, as of the last
+/// neighbour list build.
 std::vector<int> atoms_with_ghosts(const LAMMPS_NS::Comm& comm, int nlocal);
 
-/// Whether the engine writes a restart file in this step, before which it builds its neighbour lists;
-/// `next_restart_step` is the next that a script has asked for.
+/// True if the engine writes a restart file in this step, for which it rebuilds its neighbour lists.
+/// `next_restart_step` is the next one requested by the script.
 bool writes_restart_at(const LAMMPS_NS::LAMMPS& engine, LAMMPS_NS::bigint step);
 LAMMPS_NS::bigint next_restart_step(const LAMMPS_NS::LAMMPS& engine);
 
-/// Not zero: the engine asks outputs, fixes and signals whether they want new neighbour lists.
+/// Non-zero: the engine checks whether outputs, fixes or signals require new neighbour lists.
 int& asks_for_lists(LAMMPS_NS::Neighbor& neighbor);
 
-/// How far a disc may move before the engine builds new neighbour lists [m]; below zero: not at all.
+/// Sets the displacement of a disc that triggers a neighbour list build [m]; negative: even none.
 void set_trigger(LAMMPS_NS::Neighbor& neighbor, double distance);
 
-/// The largest radius that discs of a type will have which the fix inserts [m]; 0: it inserts none.
+/// Largest radius of the discs of a type that the fix will insert [m]; 0 if it inserts none.
 double radius_to_come(LAMMPS_NS::Fix& fix, int type);
 
-/// Simulated since the engine began [s].
+/// Simulated time since the start of the engine [s].
 double time_now(const LAMMPS_NS::LAMMPS& engine);
 
-/// For the launcher: runs the engine, and gives 1 where it ends by an exception of all ranks; one of a single
-/// rank ends the others.
+/// For the launcher: runs the engine. Returns 1 if it ends with an exception on all ranks; an exception on a
+/// single rank aborts the others.
 int exit_code_of(const std::function<void()>& run);
 
-/// For the launcher: what signals mean to the engine's own program.
+/// For the launcher: handles signals as the engine's own program does.
 void handle_signals();
 
-/// Somebody outside has asked the engine to end the run, or for a restart file.
+/// True if a signal has asked the engine to end the run or write a restart file.
 bool is_asked_to_stop();
 
-/// Whether a fix may be called, and for nothing but these things, while nobody has put discs into the
-/// engine's arrays: for what happens between steps only, and for what the fix that keeps the engine's springs
-/// does with them. Callbacks that are not known here are harmful.
+/// True if the fix, called at `mask`, never touches per-atom arrays within a step: it acts between steps
+/// only, or is the engine's own contact history fix. Unknown callbacks count as touching them.
 bool leaves_discs_alone(const LAMMPS_NS::Fix& fix, int mask);
 
-/// A disc's areal density, where the atom style keeps it beside the mass.
+/// Stores a disc's areal density, if the atom style keeps it in addition to the mass.
 void store_density(LAMMPS_NS::Atom& atom, int i, double areal_density);
-/// Whether atoms have a radius, a mass and what store_density() needs; the atom style that has, for error
-/// lines.
+/// True if atoms have radius, mass and what store_density() needs. disc_atom_style is such an atom style, for
+/// error messages.
 bool stores_discs(const LAMMPS_NS::Atom& atom);
 extern const char* const disc_atom_style;
 
-/// Whether the fix turns discs with the moment of inertia of spheres, 2/5 m a^2 for 1/2 m a^2.
+/// True if the fix integrates spins with the moment of inertia of spheres, 2/5 m a^2 instead of 1/2 m a^2.
 bool turns_spheres(const LAMMPS_NS::Fix& fix);
 
-/// The command that gives discs an areal density, for error lines.
+/// The command that sets the areal density of discs, for error messages.
 extern const char* const set_density;
 
-/// What the engine does for a fix before set_arrays() of new atoms.
+/// Does what the engine does for a fix before set_arrays() of new atoms.
 void announce_set_arrays(LAMMPS_NS::Fix& fix);
 
 }  // namespace mikromakro::styles

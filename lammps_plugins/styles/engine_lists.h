@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Fixes and computes in the order of the script, however the engine keeps them.
+// Fixes and computes in script order, independent of how the engine stores them.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ std::span<LAMMPS_NS::Fix* const> fixes(const Modify& modify) {
   if constexpr (requires { modify.fix[modify.nfix]; }) {
     return {modify.fix, static_cast<std::size_t>(modify.nfix)};
   } else {
-    // Changes nothing, but is not const.
+    // get_fix_list() is not const, but changes nothing.
     return const_cast<Modify&>(modify).get_fix_list();
   }
 }
@@ -54,7 +54,7 @@ inline std::span<LAMMPS_NS::Compute* const> computes(const LAMMPS_NS::Modify& mo
   return lists::computes(modify);
 }
 
-/// At which calls of a step the fix acts (FixConst).
+/// The fix's mask: the points of a step at which it is called (FixConst).
 inline int mask_of(const LAMMPS_NS::Modify& modify, LAMMPS_NS::Fix* fix) {
   return lists::mask_of(modify, fix);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Work that one rank does for all.
+// Work done by the first rank on behalf of all.
 #pragma once
 
 #include <functional>
@@ -11,14 +11,14 @@ class LAMMPS;
 
 namespace mikromakro::styles {
 
-/// Does `action` on the first rank while the others wait; what it throws ends the run on all ranks with
-/// "style: what". Every rank has to call it.
+/// Runs `action` on the first rank while the others wait. An exception stops the run on all ranks with
+/// "style: what". Collective.
 void on_first_rank(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std::function<void()>& action);
 
-/// A line on the screen and in the log.
+/// Prints a line on screen and in the log.
 void tell(LAMMPS_NS::LAMMPS& engine, const std::string& line);
 
-/// The engine's own warning, from the first rank.
+/// Issues an engine warning from the first rank.
 void warn(LAMMPS_NS::LAMMPS& engine, const std::string& text);
 
 }  // namespace mikromakro::styles

@@ -24,7 +24,7 @@ namespace mikromakro::styles {
 
 namespace {
 
-// bulk_types, as words of an input script look, is --bulk-types; `file` is --out.
+// Maps script keywords to program options: bulk_types is --bulk-types, `file` is --out.
 std::string option_name(const std::string& word) {
   if (word == "file") return "--out";
   if (word == "out") return word;
@@ -33,7 +33,7 @@ std::string option_name(const std::string& word) {
   return name;
 }
 
-// An unknown word, and the option that was meant.
+// The unknown word, with the most similar option.
 std::string with_guess(const CLI::App& app, const std::string& word) {
   std::vector<std::string> words = {"file"};
   for (const CLI::Option* option : app.get_options())
@@ -51,7 +51,7 @@ std::vector<std::string> names_at(const std::vector<std::string>& names, LAMMPS_
   return files;
 }
 
-/// Puts the dashes in front of the options. A word that is no option has to be a value of the one before.
+/// Adds the leading dashes to options. A word that is not an option must be a value of the preceding option.
 void name_options(const CLI::App& app, std::vector<std::string>& words) {
   std::set<std::string> seen;
   int values = 0;
@@ -100,7 +100,7 @@ FixAveMicromacro::FixAveMicromacro(LAMMPS_NS::LAMMPS* engine, int narg, char** a
   if (windows_ && windows < std::ssize(options_.out))
     arguments.fail("file: expected a * in all names or in none, got both");
   averaged_.sums = no_sums(options_, *averager_);
-  // Found out before a long run starts.
+  // Fail before a long run starts.
   on_first_rank(*lmp, style, [this] { const TableOutputs can_be_written(names_at(options_.out, 0)); });
 }
 
@@ -111,7 +111,7 @@ void FixAveMicromacro::parse(std::vector<std::string> words) {
   check_values(app);
   name_options(app, words);
   check_lists(app, words);
-  // The parser takes its arguments from the back.
+  // The parser takes its arguments in reverse order.
   std::reverse(words.begin(), words.end());
   try {
     app.parse(words);
@@ -151,7 +151,7 @@ void FixAveMicromacro::warn_of_change() {
   constants_ = std::move(constants);
 }
 
-/// E and G in units of k_n/h are those of the k_n that the fix was told, sliding those of its mu.
+/// E and G in units of k_n/h use the k_n given to the fix; sliding uses its mu.
 void FixAveMicromacro::warn_of_constants() const {
   warn_of("kn", "kn", options_.fields.numbers.normal_stiffness);
   warn_of("coefficientFriction", "mu", options_.fields.numbers.friction_coefficient);

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix ID group ave/micromacro Nevery Nfreq file NAME [file NAME ...] OPTIONS
 //
-// The averages of `mikromakro average`, taken while the run goes on: in every step that is a multiple of
-// Nevery the sums over the discs of the group and their contacts are added up, and in every one that is a
-// multiple of Nfreq the table is written. NAME ends in .csv, .h5, .vtkhdf or .hdf. A * in it becomes the time
-// step: then each file has the mean of its own Nfreq/Nevery frames; without a *, the file is replaced each
-// time by the mean of all frames since the fix was defined. A restart begins anew.
+// The averages of `mikromakro average`, taken in situ: in every step that is a multiple of Nevery the sums
+// over the discs of the group and their contacts are accumulated, and in every multiple of Nfreq the table is
+// written. NAME ends in .csv, .h5, .vtkhdf or .hdf. A * in NAME becomes the time step: each file then holds
+// the mean of its own Nfreq/Nevery frames. Without a *, the file is replaced each time by the mean of all
+// frames since the fix was defined. Averages are not kept across restarts.
 //
-// OPTIONS are those of the program that say over what and how is averaged, without the dashes in front:
-//   rings RMIN RMAX N  edges R0,R1,...  center X Y  sectors M  grid ...  box ...  weight W  branch B  height
-//   H bulk_types 1,2  kn K  mu MU  fields NAME,...  histogram BINS  error_blocks N
+// OPTIONS are the program's averaging options, without the leading dashes:
 //
-// Discs and contacts are gathered on the first rank, which sums them as the program does those of a snapshot:
-// the same numbers to the last bit. Walls of discs have to be in the group, for contacts with discs outside
-// of it do not count.
+//   rings RMIN RMAX N  edges R0,R1,...  center X Y  sectors M  grid ...  box ...  weight W  branch B
+//   height H  bulk_types 1,2  kn K  mu MU  fields NAME,...  histogram BINS  error_blocks N
+//
+// Discs and contacts are gathered on the first rank, which averages them as the program averages a snapshot:
+// the results agree to the last bit. Wall discs must be in the group: contacts with discs outside the group
+// do not count.
 #pragma once
 
 #include <memory>
@@ -58,9 +59,9 @@ class FixAveMicromacro : public FixWithClock, public ContactObserver, public Fil
   LAMMPS_NS::bigint write_every_ = 0;
   AverageOptions options_;
   std::vector<MaterialConstant> constants_;  // of the first run
-  LAMMPS_NS::bigint waiting_ = 0;            // frames that no table holds yet
-  bool told_when_ = false;                   // the next one comes, since the last one
-  bool windows_ = false;                     // each file has its own frames only
+  LAMMPS_NS::bigint waiting_ = 0;            // frames not yet in a table
+  bool told_when_ = false;                   // next frame announced since the last one
+  bool windows_ = false;                     // each file holds its own frames only
   std::unique_ptr<const Averager> averager_;
   Averaged averaged_;  // on the first rank
 };

@@ -48,7 +48,7 @@ int FixBiaxial2d::calls_wanted() const {
   return INITIAL_INTEGRATE | POST_FORCE | FINAL_INTEGRATE | POST_RUN;
 }
 
-// After the state of a restart file, if there is one, has been taken over.
+// Called after the restart state, if any, has been read.
 void FixBiaxial2d::once_defined() {
   check_rectangle();
   walls_.check_cuts(smooth_walls());
@@ -128,12 +128,12 @@ void FixBiaxial2d::final_integrate() {
   }
 }
 
-// Contacts may have formed since the run began.
+// Contacts may have formed during the run.
 void FixBiaxial2d::run_ended() {
   check_time_step();
 }
 
-// One sum over the ranks for all that the walls feel.
+// Sums all wall loads over the ranks in a single reduction.
 void FixBiaxial2d::sum_forces() {
   std::array<double, 8> sums{};
   for (int side = 0; side < 4; ++side) {
@@ -156,7 +156,7 @@ double FixBiaxial2d::pressure(int side) const {
   return box_[side].pressing / (length_of_wall(side) * settings_.height);
 }
 
-// Along x or y, without the damping.
+// Outward force along x or y, without damping.
 double FixBiaxial2d::force_on(int side) const {
   const Wall& wall = box_[side];
   return outward[side] *

@@ -1,33 +1,34 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix ID group biaxial/2d type T left X CONTROL right X CONTROL bottom Y CONTROL top Y CONTROL [height H]
 //
-// Four smooth flat walls that always form a rectangle around the discs of the group: each moves along its
-// normal only. X, Y: where they stand at first (m). CONTROL is one of
+// Four smooth flat walls that form a rectangle around the discs of the group; each moves along its normal
+// only. X, Y: initial positions (m). CONTROL is one of
+//
 //   fixed
-//   strain cosine X_END TIME       from where the wall stands to X_END (m) within TIME (s) along a half
-//   cosine,
-//                                  then it stays
-//   strain rate V                  with the velocity V (m/s) along x or y
+//   strain cosine X_END TIME       to X_END (m) within TIME (s) along a half cosine, then fixed
+//   strain rate V                  at the velocity V (m/s) along x or y
 //   stress P mass M damping G      m x'' = F - P L - G x' outwards (physics/servo_wall.h): F the discs' force
-//   on the
-//                                  wall, L its length between its neighbours; P in N/m, or in Pa where a
-//                                  height H (m) is given; M in kg, G in kg/s
-// type T, before the first wall: the atom type whose material constants the walls have; behind a wall: that
-// of this wall. A wall is frictionless where its constant mu with the types of the discs is 0. All under the
-// law of the pair style (physics/smooth_wall.h). Contact rows show the walls with the ids -1, -2, -3, -4.
+//                                  on the wall, L its length between the adjacent walls; P in N/m, or in Pa
+//                                  if a height H (m) is given; M in kg, G in kg/s
 //
-// fix_modify ID WALL CONTROL ... [reset]: changes how walls move, from where and as fast as they are. reset:
-// strains and works count from here on. A fix that continues from a restart file takes the walls where they
-// stood; one whose CONTROL is the same as before goes on with it.
+// type T before the first wall: the atom type that supplies the material constants of the walls; after a
+// wall: that of this wall. A wall is frictionless if its constant mu with the types of the discs is 0. All
+// walls act under the law of the pair style (physics/smooth_wall.h). Their ids in contact rows are -1, -2,
+// -3, -4.
 //
-// A stress-controlled wall whose half period pi sqrt(M/K) on its contacts of stiffness K is shorter than 50
-// time steps is warned of, below 4 refused, at the start and at the end of each run.
+// fix_modify ID WALL CONTROL ... [reset]: changes how walls move, from their present positions and
+// velocities. reset: strains and work are counted from here on. A fix that continues from a restart file
+// takes the walls at their stored positions; if its CONTROL is unchanged, it is continued.
+//
+// For a stress-controlled wall with the half period pi sqrt(M/K) on its contacts of stiffness K, fewer than
+// 50 time steps per half period give a warning and fewer than 4 are rejected, at the start and at the end of
+// each run.
 //
 // Scalar: work of all walls on the discs (J). Vector, walls in the order left right bottom top:
 //    1 - 4   positions, m                          5 - 8   velocities along x or y, m/s
-//    9 - 12  forces that press them outwards, N   13 - 16  the same over their length (and H): N/m or Pa
+//    9 - 12  outward normal forces, N             13 - 16  the same per length (and H): N/m or Pa
 //   17 - 19  strains: horizontal, vertical (L/L_0 - 1), of the area; negative in compression
-//   20 - 23  work on the discs, J                 24 - 27  forces along them (in x or y), N
+//   20 - 23  work on the discs, J                 24 - 27  tangential forces (in x or y), N
 #pragma once
 
 #include <array>
@@ -65,17 +66,17 @@ class FixBiaxial2d : public FixWithWalls, public KnowsHeight {
   void count_steps_anew(LAMMPS_NS::bigint shift) override;
 
  private:
-  // A wall in motion; where its control began, and what it has done since the last reset.
+  // A moving wall: start of its present control, and work since the last reset.
   struct Wall {
     WallControl control;
     physics::ServoWall motion;  // along x or y
-    double contact_velocity;    // that the discs see (m/s)
+    double contact_velocity;    // for contact forces (m/s)
     double start, start_time;   // m, s
-    double pressing, along;     // forces of the last evaluation (N)
+    double pressing, along;     // normal and tangential force at the last evaluation (N)
     double previous_position, previous_pressing;
     double work;  // J
-    // The acceleration and the previous force are those of the last step, with which a run goes on: dashpots
-    // of the set-up see other velocities.
+    // The run continues with the acceleration and force of the last step, because dashpots see other
+    // velocities in the set-up.
     bool goes_on = false;
   };
 
@@ -95,7 +96,7 @@ class FixBiaxial2d : public FixWithWalls, public KnowsHeight {
 
   BiaxialSettings settings_;
   std::array<Wall, 4> box_{};
-  std::array<double, 2> reference_lengths_{};  // of strains (m)
+  std::array<double, 2> reference_lengths_{};  // for strains (m)
   physics::StepClock clock_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix biaxial/2d: how its walls begin to move otherwise, what it checks, and what restart files hold.
+// fix biaxial/2d: changes of the wall control, checks, and restart.
 #include <mpi.h>
 
 #include <cstring>
@@ -21,7 +21,7 @@ using Kind = WallControl::Kind;
 
 namespace {
 
-// What a restart file holds besides the springs: walls, references, and the clock.
+// Restart data in addition to the springs: walls, references and clock.
 template <class Wall>
 struct SavedState {
   std::array<Wall, 4> box;
@@ -62,7 +62,7 @@ int FixBiaxial2d::modify_param(int narg, char** arg) {
   return narg;
 }
 
-// All ranks know all walls: each comes to the same conclusion.
+// All ranks know all walls and reach the same result.
 void FixBiaxial2d::check_rectangle() const {
   for (int axis = 0; axis < 2; ++axis) {
     if (length(axis) > 0) continue;
@@ -114,7 +114,7 @@ void FixBiaxial2d::check_time_step() const {
   }
 }
 
-// The command `timestep` tells no fix.
+// The command `timestep` does not notify fixes.
 void FixBiaxial2d::follow_time_step(LAMMPS_NS::bigint step) {
   if (update->dt != clock_.dt()) clock_.change_step_length(step, update->dt);
 }
@@ -144,7 +144,7 @@ void FixBiaxial2d::restart(char* buf) {
   SavedState<Wall> state;
   std::memcpy(&state, buf, sizeof state);
   clock_ = physics::StepClock(state.elapsed, static_cast<LAMMPS_NS::bigint>(state.step_of_clock), state.dt);
-  // The steps may have been counted anew between read_restart and here.
+  // Steps may have been renumbered since read_restart.
   clock_.shift_steps(update->ntimestep - static_cast<LAMMPS_NS::bigint>(state.step_of_file));
   reference_lengths_ = state.reference_lengths;
   for (int side = 0; side < 4; ++side) {

@@ -51,8 +51,8 @@ void FixBottomFriction::reset_dt() {
   }
 }
 
-/// Velocities are those that contacts see. Where the state is open, forces are in the rows, and nothing waits
-/// in the engine.
+/// Uses the velocities that contacts use. In the open state, forces are added to the packed loads rather than
+/// to the engine's arrays.
 double FixBottomFriction::apply() {
   const bool open = packed_ && packed_->open;
   if (open) law_->complete_step();
@@ -73,13 +73,13 @@ double FixBottomFriction::apply() {
   return power;
 }
 
-/// A run that goes on does so with the power of the last step, whose velocities were predicted.
+/// A continued run uses the power of the last step, whose velocities were predicted.
 void FixBottomFriction::setup(int /*vflag*/) {
   const double power = apply();
   if (!goes_on_) power_ = power;
 }
 
-/// The energy is the trapezium of the power over the step.
+/// Energy by the trapezoidal rule from the power at both ends of the step.
 void FixBottomFriction::post_force(int /*vflag*/) {
   const double before = power_;
   power_ = apply();
@@ -100,7 +100,7 @@ double FixBottomFriction::compute_vector(int /*n*/) {
   return sum_of_all_ranks(power_);
 }
 
-// The tallies of all ranks go to the first one, here as in the run that continues, so that both add up the
+// The sums over all ranks are assigned to the first one, here and in the continued run, so that both add the
 // same numbers.
 void FixBottomFriction::write_restart(FILE* file) {
   std::array<double, 2> state{sum_of_all_ranks(power_), sum_of_all_ranks(energy_)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bottom/friction: discs that slide on the bottom of the cell.
+// fix bottom/friction: friction between discs and the bottom of the cell.
 #pragma once
 
 #include <cstdio>
@@ -14,12 +14,12 @@ struct PackedDiscs;
 /// fix ID group bottom/friction MU_B G [velocity V0]
 ///
 /// Force -mu_b m g v/|v| on each disc of the group, -mu_b m g v/V0 below V0 (physics/bottom_friction.h), at
-/// the velocities that the contacts see in the same step. mu_b [-] and the acceleration of gravity G [m/s^2]
-/// are positive; V0 [m/s] is at least 2 mu_b G dt, and 10 mu_b G dt where it is not given. Spins are left
-/// alone. A disc under a force below mu_b m g creeps, with less than V0.
+/// the velocities used for contacts in the same step. mu_b [-] and the gravitational acceleration G [m/s^2]
+/// are positive; V0 [m/s] is at least 2 mu_b G dt and defaults to 10 mu_b G dt. Spins are not affected. A
+/// disc under a force below mu_b m g creeps at less than V0.
 ///
-/// Scalar: energy that the bottom has taken since the fix was defined [J], kept in restart files. Vector: 1
-/// the power that it takes now [W].
+/// Scalar: energy dissipated by the bottom since the fix was defined [J], kept in restart files. Vector: 1
+/// the current dissipated power [W].
 class FixBottomFriction : public FixOfEngine {
  public:
   FixBottomFriction(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
@@ -43,9 +43,9 @@ class FixBottomFriction : public FixOfEngine {
   double mu_b_, g_;
   double given_v_0_ = 0;  // 0: not given
   double v_0_ = 0;
-  // Of the discs of this rank: the power [W] at the last evaluation, the energy taken [J].
+  // For the discs of this rank: power at the last evaluation [W], energy dissipated [J].
   double power_ = 0, energy_ = 0;
-  bool goes_on_ = false;  // power_ is that of the last step
+  bool goes_on_ = false;  // power_ was kept from the last step
 };
 
 }  // namespace mikromakro::styles

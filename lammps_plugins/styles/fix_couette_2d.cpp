@@ -33,7 +33,8 @@ FixCouette2d::FixCouette2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   settings_ = parse_couette(*lmp, arguments);
   clock_ = physics::StepClock(0.0, update->ntimestep, update->dt);
   add_smooth_rings();
-  // The engine warns of discs with two integrators; with smooth rings the group holds discs of others too.
+  // Avoids the engine's warning of atoms with two integrators: with smooth rings the group includes discs
+  // that other fixes integrate.
   time_integrate = walls_.any() ? 0 : 1;
 
   grow_arrays(atom->nmax);
@@ -53,7 +54,7 @@ int FixCouette2d::calls_wanted() const {
          (walls_.any() ? LAMMPS_NS::FixConst::POST_FORCE : 0);
 }
 
-// After the state of a restart file, if there is one, has been taken over.
+// Called after the restart state, if any, has been read.
 void FixCouette2d::once_defined() {
   check_groups();
   check_integrators();
@@ -74,17 +75,17 @@ void FixCouette2d::init() {
   packed_ = law_ ? &law_->packed_discs() : nullptr;
 }
 
-// Velocities at the start of a run, before ghosts get theirs. Positions are left alone: they are right
-// already, or check_radii has stopped the run. Forces will be evaluated anew, perhaps with another law:
-// averages that are taken in the set-up, maybe before this fix's own, must not get the loads of the last
-// run's end.
+// Sets velocities at the start of a run, before ghosts receive theirs. Positions are untouched: they are
+// correct, or check_radii() has stopped the run. Forces will be re-evaluated, perhaps under another law, so
+// the loads from the end of the last run are discarded: averages taken in the set-up, possibly before that of
+// this fix, must not use them.
 void FixCouette2d::setup_pre_exchange() {
   place_wall_discs(update->ntimestep, true);
   step_of_loads_ = -1;
   members_known_ = false;
 }
 
-// Wall discs are about to change their numbers and ranks.
+// Wall discs are about to change indices and ranks.
 void FixCouette2d::pre_exchange() {
   members_known_ = false;
 }
@@ -132,7 +133,7 @@ physics::PlaneVector FixCouette2d::from_centre(int i) const {
   return {atom->x[i][0] - settings_.centre.x, atom->x[i][1] - settings_.centre.y};
 }
 
-// The command `timestep` tells no fix.
+// The command `timestep` does not notify fixes.
 void FixCouette2d::follow_time_step(LAMMPS_NS::bigint step) {
   if (update->dt != clock_.dt()) clock_.change_step_length(step, update->dt);
 }
@@ -163,7 +164,7 @@ void FixCouette2d::find_members() {
   members_known_ = true;
 }
 
-// As place_wall_discs(), while velocities are needed in the rows only; a ring at rest stays where it is.
+// As place_wall_discs(), if velocities are needed in the rows only; a ring at rest is skipped.
 void FixCouette2d::carry_rows(LAMMPS_NS::bigint step) {
   if (!members_known_) find_members();
   const Rings rings = rings_at(step);

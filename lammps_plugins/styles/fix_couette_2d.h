@@ -4,27 +4,25 @@
 // RING: rough GROUP R  or  smooth TYPE R
 //
 // The rings of a 2D Couette shear cell about (X, Y) (m). Rough ring: the wall discs of a group, with their
-// centres on the circle of radius R (R_I, R_O below; m). Their positions and velocities are functions of
-// time only (physics/ring_motion.h): nothing is summed up, whatever the forces. W: rotation rates (1/s,
-// counter-clockwise positive). `compact`: the outer radius goes from R_O to R_END (m) within TIME (s) along a
-// half cosine. `group` has to hold the wall discs of rough rings, which no other fix may integrate. Keywords
-// may stand in any order.
+// centres on the circle of radius R (R_I, R_O below; m). Their positions and velocities are functions of time
+// only (physics/ring_motion.h), whatever the forces, so no rounding error accumulates. W: rotation rates
+// (1/s, counter-clockwise positive). `compact`: the outer radius changes from R_O to R_END (m) within TIME
+// (s) along a half cosine. `group` must contain the wall discs of rough rings, which no other fix may
+// integrate. Keywords may come in any order.
 //
-// A smooth ring is a wall along the circle of radius R with the material constants of TYPE; all discs of
-// `group` that are no wall discs touch it under the law of the pair style (physics/smooth_wall.h). Contact
-// rows show it with the id 0 (inner) or -5 (outer).
+// A smooth ring is a circular wall of radius R with the material constants of TYPE. It acts on all discs of
+// `group` except wall discs, under the law of the pair style (physics/smooth_wall.h). Its id in contact rows
+// is 0 (inner) or -5 (outer).
 //
-// A new fix takes the present angles of the wall discs as its zero. Time goes on over several runs, changes
-// of the time step and restart files.
+// A new fix takes the present angles of the wall discs as zero. Time continues across runs, changes of the
+// time step and restarts.
 //
-// Scalar: the wheel torque, f_ID[1]. Vector (of the last force evaluation; gathered only when asked for):
+// Scalar: the wheel torque, f_ID[1]. Vector (of the last force evaluation; gathered only on request):
 //   1  torque of the discs on the inner ring (the wheel) about the centre, N m; counter-clockwise positive,
-//      so it is negative where the wheel turns counter-clockwise against resistance, T = 2 pi r^2 h
-//      sigma_phir
+//      so it is negative if the wheel turns counter-clockwise against resistance: T = 2 pi r^2 h sigma_phir
 //   2  the same for the outer ring
-//   3  pressure on the inner ring: the force that pushes it away from the discs over 2 pi R_I, N/m; over 2 pi
-//   R_I H,
-//      Pa, where a height H (m) is given; positive in compression
+//   3  pressure on the inner ring: force away from the discs over 2 pi R_I, N/m; over 2 pi R_I H, Pa, if a
+//      height H (m) is given; positive in compression
 //   4  the same for the outer ring
 //   5  angle turned by the inner ring, rad        6  by the outer ring
 //   7  radius of the outer ring, m                8  its rate, m/s
@@ -96,7 +94,7 @@ class FixCouette2d : public FixWithClock, public WallContactSource, public Knows
   using Loads = std::array<physics::RingLoad, 2>;
 
   [[nodiscard]] Rings rings_at(LAMMPS_NS::bigint step) const;
-  [[nodiscard]] int ring_of(int i) const;  // 0 inner, 1 outer, -1 no wall disc
+  [[nodiscard]] int ring_of(int i) const;  // 0 inner, 1 outer, -1 not a wall disc
   [[nodiscard]] physics::PlaneVector from_centre(int i) const;
   void follow_time_step(LAMMPS_NS::bigint step);
   void check_groups();
@@ -113,12 +111,12 @@ class FixCouette2d : public FixWithClock, public WallContactSource, public Knows
 
   CouetteSettings settings_;
   physics::StepClock clock_;
-  double** references_ = nullptr;  // per atom: unit vector of the reference angle; zero: none yet
+  double** references_ = nullptr;  // per atom: unit vector of the reference angle; zero: not set
   SmoothWalls walls_;              // of the smooth rings
   WallsOfRestart saved_walls_;
   DiscLaw* law_ = nullptr;
   PackedDiscs* packed_ = nullptr;            // of the disc law, if there is one
-  std::array<std::vector<int>, 2> members_;  // local numbers of the wall discs of both rings
+  std::array<std::vector<int>, 2> members_;  // local indices of the wall discs of both rings
   bool members_known_ = false;
   Loads loads_;
   LAMMPS_NS::bigint step_of_loads_ = -1;

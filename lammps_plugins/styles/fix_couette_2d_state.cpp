@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix couette/2d: what it checks, and what it stores per atom and in restart files.
+// fix couette/2d: checks, per-atom data and restart.
 #include <mpi.h>
 
 #include <algorithm>
@@ -22,11 +22,12 @@
 namespace mikromakro::styles {
 namespace {
 
-// A disc this far off its ring, relative to the radius, was not put there by create_ring: rounding is 1e-16.
+// A disc further off its ring than this, relative to the radius, was not placed by create_ring: rounding is
+// 1e-16.
 constexpr double radius_tolerance = 1e-9;
 const std::array<std::string, 2> side_names = {"inner", "outer"};
 
-// What a restart file holds besides the references: the clock, and what tells where the rings stood.
+// Restart data in addition to the references: the clock and the state of the rings.
 struct SavedState {
   std::int64_t format;
   double elapsed;
@@ -42,7 +43,7 @@ constexpr std::int64_t saved_format = 0x636f756574746532;
 }  // namespace
 
 void FixCouette2d::check_groups() {
-  std::array<long, 4> counts{};  // inner, outer, in both, not in the fix's own group
+  std::array<long, 4> counts{};  // inner, outer, in both, outside the fix's own group
   double largest = 0.0;
   for (int i = 0; i < atom->nlocal; ++i) {
     const int side = ring_of(i);
@@ -72,7 +73,7 @@ void FixCouette2d::check_groups() {
   check_inside_box(*lmp, style, "the outer ring", outline.bounds());
 }
 
-/// This fix moves wall discs, and nobody else.
+/// No other fix may move the wall discs.
 void FixCouette2d::check_integrators() const {
   for (const Fix* fix : fixes(*modify)) {
     const Fix& other = *fix;
@@ -90,7 +91,7 @@ void FixCouette2d::check_integrators() const {
   }
 }
 
-// Names the disc that is farthest off its ring, relative to the radius.
+// Stops the run if a disc is off its ring; names the one furthest off, relative to the radius.
 void FixCouette2d::check_radii() {
   const Rings rings = rings_at(update->ntimestep);
   struct {
@@ -107,7 +108,7 @@ void FixCouette2d::check_radii() {
   MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
   if (worst.error <= radius_tolerance) return;
 
-  // Only the rank that owns the disc knows more.
+  // Only the owner of the disc has its data.
   std::array<double, 3> found{};
   for (int i = 0; i < atom->nlocal; ++i) {
     if (atom->tag[i] != worst.id) continue;
@@ -183,13 +184,13 @@ void FixCouette2d::restart(char* buf) {
   if (state.format != saved_format)
     stop(*lmp, style, "expected a restart file of this version, got the rings of another one");
   clock_ = physics::StepClock(state.elapsed, static_cast<LAMMPS_NS::bigint>(state.step_of_clock), state.dt);
-  // The steps may have been counted anew between read_restart and here.
+  // Steps may have been renumbered since read_restart.
   clock_.shift_steps(update->ntimestep - static_cast<LAMMPS_NS::bigint>(state.step_of_file));
   const double time = clock_.time_at(update->ntimestep);
   for (int side = 0; side < 2; ++side) {
     physics::RingMotion& motion = settings_.rings[side].motion;
     motion.angle_offset = state.angle_offset[side];
-    // A ring that is to turn at another rate from here on starts where it stands.
+    // A ring with a new rotation rate starts from its present angle.
     if (motion.rotation_rate != state.rotation_rate[side])
       motion.angle_offset += (state.rotation_rate[side] - motion.rotation_rate) * time;
     const double radius = motion.course.radius(time);

@@ -58,7 +58,7 @@ void FixEnergyDisc::find_walls() {
   }
 }
 
-// A run that goes on does so with the powers of the last step, whose velocities were predicted.
+// A continued run uses the powers of the last step, whose velocities were predicted.
 void FixEnergyDisc::setup(int /*vflag*/) {
   const Contacts before = now_;
   now_ = evaluate();
@@ -158,7 +158,7 @@ void FixEnergyDisc::go_on_with(const std::array<double, 5>& tallies) {
   now_.tangential_power = tallies[4];
 }
 
-// The tallies of all ranks go to the first one, here as in the run that continues, so that both add up the
+// The sums over all ranks are assigned to the first one, here and in the continued run, so that both add the
 // same numbers.
 void FixEnergyDisc::write_restart(FILE* fp) {
   std::array<double, 5> sums = tallies();

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix ID group energy/disc
 //
-// The energy of discs and what contacts turn into heat, from the contact rows of every step (contact_rows.h):
-// a run pays for it only where a script has this fix. Both discs of a contact have to be in the group; walls
-// count. Define it behind fixes with walls. Heat counts from the first run with this fix on.
+// Energy of the discs and dissipation in contacts, from the contact rows of every step (contact_rows.h);
+// scripts without this fix pay nothing. Both discs of a contact must be in the group; walls count. Define it
+// after fixes with walls. Dissipation counts from the first run with this fix.
 //
-// Scalar: the sum of the vector, which is what walls, gravity and other fixes have put in. Vector (J):
+// Scalar: the sum of the vector: the total energy input by walls, gravity and other fixes. Vector (J):
 //   1  kinetic, of translation and spin      2  elastic, of overlaps: k_n overlap^2/2 (Hertz: 2/5 f overlap)
-//   3  elastic, of tangential springs        4  heat of normal dashpots
-//   5  heat of tangential forces: sliding, dashpots, springs of contacts that open
-// Heat is the sum over steps of force times velocity of the same instant, as velocity Verlet changes the
-// energy.
+//   3  elastic, of tangential springs        4  dissipated by normal dashpots
+//   5  dissipated by tangential forces: sliding, dashpots, springs of contacts that open
+// Dissipation is the sum over steps of force times velocity at the same time, consistent with the energy
+// change of velocity Verlet.
 //
-// The account of a scene: its change is the work of the walls (scalar of their fixes) and what gravity gives
-// (the scalar of its stock fix falls by that), less what the bottom takes (scalar of fix bottom/friction).
+// Energy balance of a scene: the change of the scalar equals the work of the walls (scalar of their fixes)
+// plus the work of gravity (by which the scalar of its stock fix falls) minus the energy dissipated by the
+// bottom (scalar of fix bottom/friction).
 #pragma once
 
 #include <array>
@@ -40,7 +41,7 @@ class FixEnergyDisc : public FixOfEngine, public ContactObserver {
   bool wants_contacts_at(LAMMPS_NS::bigint /*step*/) const override { return true; }
 
  private:
-  // Of the contacts of this rank.
+  // Sums over the contacts of this rank.
   struct Contacts {
     double normal_energy = 0, spring_energy = 0, dashpot_power = 0, tangential_power = 0;
   };

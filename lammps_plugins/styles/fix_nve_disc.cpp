@@ -65,7 +65,7 @@ int FixNveDisc::setmask() {
          FixConst::PRE_FORCE | FixConst::FINAL_INTEGRATE;
 }
 
-/// What every run of this fix needs; a minimisation moves discs by itself.
+/// Checks the requirements of a run; a minimisation moves discs itself.
 void FixNveDisc::check_run() const {
   if (domain->dimension != 2)
     error->all(FLERR, "fix nve/disc: discs live in two dimensions; put 'dimension 2' before the box");
@@ -150,7 +150,8 @@ void FixNveDisc::predict(std::vector<physics::DiscRow>& rows, int first) const {
   }
 }
 
-/// The step that ends open is the first one: the next begins from here.
+/// At the first step that ends in the open state: stores mid-step velocities, from which the next step
+/// begins.
 void FixNveDisc::take_half_steps() {
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
@@ -172,11 +173,12 @@ struct OpenStep {
   physics::DiscRow* discs;
   physics::DiscLoad* loads;
   int next = 0;        // of the members
-  double fastest = 0;  // the largest square of a velocity of those moved so far
+  double fastest = 0;  // largest squared velocity of the members moved so far
 };
 
-/// Members before disc number `before`: the last half-kick of the step before, the first one of this step,
-/// and the velocity predicted for its end: the arithmetic of end_step() and begin_step().
+/// Moves the members with index below `before`: final half-kick of the previous step, first half-kick and
+/// drift of this step, and the velocity predicted for its end. Same arithmetic as end_step() and
+/// begin_step().
 FOR_EACH_PROCESSOR void move_discs(OpenStep& step, int before) {
   const Four drift = {step.dt, step.dt, 0, 0};
   double fastest = step.fastest;
@@ -202,7 +204,7 @@ FOR_EACH_PROCESSOR void move_discs(OpenStep& step, int before) {
 
 }  // namespace
 
-/// As begin_step(), from rows that nobody has looked at since the forces of the last step were evaluated.
+/// As begin_step(), with fused half-kicks from the packed disc data.
 void FixNveDisc::go_on() {
   if (!members_known_) find_members();
   static_assert(sizeof(OfDisc) == sizeof(Four));
@@ -211,18 +213,18 @@ void FixNveDisc::go_on() {
                 spin_kicks_.data(),   packed_->discs.data(),
                 packed_->loads.data()};
   law_->complete_step([&step](int before) { move_discs(step, before); });
-  // Whether a ring carries them or nobody moves them.
+  // Whether carried by a ring or immobile.
   for (const int i : others_) packed_->loads[i] = {};
   packed_->furthest = std::max(packed_->furthest, std::sqrt(step.fastest) * step.dt);
   packed_->step = update->ntimestep;
 }
 
-/// Whether no disc of any rank can have left its half of the neighbour list's skin; and whether pairs are to
-/// be looked through for near ones, which all ranks do in the same step, for one that does it alone keeps the
-/// others waiting. A question to all ranks costs as much as some hundred discs, so that its answer is trusted
-/// for up to four steps, less than a collision takes. In these an elastic collision at most doubles the
-/// largest speed, and discs that are let go at rest, which move by 1, 3, 5, 7, 9 in equal steps, have six
-/// times the first on the average of the last four. One rank alone asks itself in each.
+/// True if no disc on any rank can have moved beyond half the skin of the neighbour list. Also decides
+/// whether the inner list is to be pruned, in the same step on all ranks, since a rank pruning alone would
+/// keep the others waiting. The MPI_Allreduce costs as much as some hundred discs, so its result is reused
+/// for up to four steps, less than a collision takes. Within these an elastic collision at most doubles the
+/// largest speed, and discs released from rest, which move by 1, 3, 5, 7, 9 in equal steps, average six times
+/// the first displacement over the last four. On a single rank the check is repeated in every step.
 bool FixNveDisc::neighbours_suffice() {
   if (update->ntimestep < next_question_) return true;
   int steps[] = {law_->steps_neighbours_suffice(), law_->steps_near_pairs_suffice()};
@@ -232,9 +234,9 @@ bool FixNveDisc::neighbours_suffice() {
   return steps[0] > 0;
 }
 
-/// All discs have moved, and the engine is about to ask whether new neighbour lists are needed. Where they
-/// cannot be, its search through all discs is spared; where they may be, discs and springs have to be in its
-/// arrays. Nor need it clear forces that nobody is going to look at.
+/// All discs have moved, and the engine is about to check whether neighbour lists must be rebuilt. If they
+/// cannot be due, its search over all discs is skipped; if they may be, discs and springs must be in its
+/// arrays. The clearing of forces is skipped too if nothing reads them.
 void FixNveDisc::post_integrate() {
   if (!packed_ || !packed_->open) return;
   if (!neighbours_suffice() || build_is_due(*lmp)) {
@@ -244,7 +246,7 @@ void FixNveDisc::post_integrate() {
     for (const int i : seen_elsewhere_) law_->put_disc_into_engine(i);
     packed_->check_is_off = !neighbor->build_once;
     neighbor->build_once = 1;
-    // A signal that comes from here on, and would have new lists built, waits for the next step.
+    // A signal that arrives after this point and requires new lists waits for the next step.
     packed_->asks_for_lists = std::exchange(asks_for_lists(*neighbor), 0);
   }
   int& not_cleared = forces_are_not_cleared(*update->integrate);
@@ -252,7 +254,7 @@ void FixNveDisc::post_integrate() {
   if (packed_->clear_is_off) not_cleared = 1;
 }
 
-/// Discs are about to change their numbers and their ranks.
+/// Discs are about to change indices and ranks.
 void FixNveDisc::pre_exchange() {
   members_known_ = false;
 }
@@ -282,8 +284,7 @@ void FixNveDisc::end_step() {
   note_end_of_step();
 }
 
-/// A signal, a time limit or `fix halt` may have ended the run in a step of which nobody knew that it would
-/// be the last.
+/// A signal, a time limit or `fix halt` may have ended the run unexpectedly, in the open state.
 void FixNveDisc::post_run() {
   if (packed_ && packed_->open) {
     law_->close();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix nve/disc: velocity Verlet for x, y and the spin about z of discs; what is not in the plane is left
-// alone.
+// fix nve/disc: velocity Verlet for x, y and the spin about z of discs; out-of-plane components are
+// untouched.
 #pragma once
 
 #include <vector>
@@ -17,21 +17,20 @@ struct PackedDiscs;
 /// fix ID group nve/disc [velocity predicted | half_step] [fused on | off]
 ///
 /// m dv/dt = f, I domega/dt = T with I = m a^2 / 2. Between the two half-kicks of a step the engine's arrays
-/// hold the velocities of the half step, as with the stock integrators, so that other fixes read and set what
-/// they do there. Contacts of the disc law, smooth walls and the bottom see velocities of the same instant as
-/// the positions: this fix keeps for each disc the difference to the prediction v(t) + dt f(t)/m, which
-/// differs from the final velocity by O(dt^2), and adds it in the rows of packed_discs.h. `velocity
-/// half_step` is what the stock integrators do: the dashpot then sees v(t + dt/2), an error of order gamma dt
-/// / 2m.
+/// hold mid-step velocities, as with the stock integrators, so that other fixes work as usual. Contacts of
+/// the disc law, smooth walls and the bottom use velocities at the time of the positions: this fix stores for
+/// each disc the difference to the prediction v(t) + dt f(t)/m, which differs from the final velocity by
+/// O(dt^2), and adds it to the rows of packed_discs.h. `velocity half_step` does as the stock integrators:
+/// the dashpot then sees v(t + dt/2), an error of order gamma dt / 2m.
 ///
-/// A run goes on with the forces of the last step, also from a restart file if the fix has the same id there,
-/// where nothing has changed since (last_forces.h): on the same number of ranks it repeats, bit for bit, the
-/// run that was not interrupted but wrote its file on the way (`restart N FILE`; the engine builds the
-/// neighbour list anew in such a step, as the set-up of a run does).
+/// A run continues with the forces of the last step, if nothing has changed since (last_forces.h); also from
+/// a restart file if the fix has the same id there. On the same number of ranks it then reproduces, bit for
+/// bit, the uninterrupted run that wrote the file on the way (`restart N FILE`: the engine rebuilds the
+/// neighbour list in such a step, as the set-up of a run does).
 ///
-/// Where nobody acts on a disc or looks at it between two steps, this fix does the final half-kick of a step
-/// together with the first one of the next (packed_discs.h): the same arithmetic, and the same bits. `fused
-/// off` keeps the two apart in all steps.
+/// If nothing acts on or reads the discs between two steps, the final half-kick of a step is fused with the
+/// first one of the next (packed_discs.h), with the same arithmetic and the same bits. `fused off` keeps the
+/// two apart in all steps.
 class FixNveDisc : public FixOfEngine {
  public:
   FixNveDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
@@ -40,11 +39,10 @@ class FixNveDisc : public FixOfEngine {
   FixNveDisc& operator=(const FixNveDisc&) = delete;
 
   bool predicts_velocities() const { return predicted_; }
-  /// Turns velocities of the engine's arrays into those that contacts see, in the rows from `first` on.
+  /// Turns the engine's velocities into those used for contacts, in the rows from `first` on.
   void predict(std::vector<physics::DiscRow>& rows, int first) const;
-  /// Where a step is closed, ghosts get what the engine does not send them within it: the predictions, and
-  /// the radii of the discs that they are images of, which a fix may have changed. All ranks call it
-  /// together.
+  /// In a closed step, sends ghosts what the engine does not send within the step: the predictions, and the
+  /// radii, which a fix may have changed. Collective.
   void send_to_ghosts();
 
   int setmask() override;
@@ -80,7 +78,7 @@ class FixNveDisc : public FixOfEngine {
  private:
   void read_options(int narg, char** arg);
   void check_run() const;
-  /// Before the first half-kick of a step, and after the second one of a step that ends closed.
+  /// Called before the first half-kick of a step, and after the second one of a step that ends closed.
   void go_on_from_last_run();
   void note_end_of_step();
   void keep_last_forces();
@@ -94,32 +92,33 @@ class FixNveDisc : public FixOfEngine {
   bool neighbours_suffice();
 
   bool predicted_ = true, fused_ = true;
-  bool predicts_ = false;  // in this run: the disc law asks for predictions
+  bool predicts_ = false;  // in this run: the disc law uses predictions
   DiscLaw* law_ = nullptr;
   PackedDiscs* packed_ = nullptr;
-  // What predict() does with the numbers of each disc, owned or ghost: nothing outside of the two half-kicks;
-  // in a step, adds them to v_x, v_y and the spin; in the set-up of a run that goes on, replaces these.
+  // How predict() uses the stored values of each disc, owned or ghost. none: not between the two half-kicks
+  // of a step; differences: within a step, added to v_x, v_y and the spin; velocities: in the set-up of a
+  // continued run, replace them.
   enum class Prediction { none, differences, velocities };
   Prediction prediction_ = Prediction::none;
   struct OfDisc {
     physics::Four values;
   };
   std::vector<OfDisc> predictions_;
-  // Of each owned atom, between the steps of an open state: v_x, v_y [m/s], spin [1/s] of the half step; dt /
-  // 2m, which turns a force into a half-kick; and dt / 2I.
-  static constexpr int size_of_half_step = 5, size_of_prediction = 3;  // numbers that go to another rank
+  // Per owned atom, between steps in the open state: v_x, v_y [m/s] and spin [1/s] at mid-step; dt / 2m,
+  // which turns a force into a half-kick; and dt / 2I.
+  static constexpr int size_of_half_step = 5, size_of_prediction = 3;  // doubles sent to another rank
   static constexpr int size_for_ghosts = size_of_prediction + 1;
   std::vector<OfDisc> half_steps_;
   std::vector<double> spin_kicks_;
-  bool half_steps_wait_ = false;       // the velocities of the half step are here and not in the engine
-  std::vector<int> members_, others_;  // local numbers of the discs of the group, and of all others
-  std::vector<int> seen_elsewhere_;    // local numbers of discs that have ghosts
+  bool half_steps_wait_ = false;       // mid-step velocities are here, not in the engine
+  std::vector<int> members_, others_;  // local indices of discs in the group, and of all others
+  std::vector<int> seen_elsewhere_;    // local indices of discs that have ghosts
   bool members_known_ = false;
-  LAMMPS_NS::bigint next_question_ = 0;  // the step of it; see neighbours_suffice()
+  LAMMPS_NS::bigint next_question_ = 0;  // step of the next check: see neighbours_suffice()
   LastForces last_forces_;
-  bool resumes_ = false;              // the next step is the first of a run that goes on
+  bool resumes_ = false;              // the next step is the first of a continued run
   bool step_complete_ = false;        // forces and velocities are those of the end of a step
-  LAMMPS_NS::bigint seen_step_ = -1;  // the last forces know what was seen in this step
+  LAMMPS_NS::bigint seen_step_ = -1;  // step whose contact velocities last_forces_ holds
 };
 
 }  // namespace mikromakro::styles

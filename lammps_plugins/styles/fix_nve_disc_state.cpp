@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix nve/disc: what it stores per atom and in restart files, and how a run goes on where the last one ended.
+// fix nve/disc: per-atom data, restart, and continuation from the last run.
 #include <cstring>
 
 #include "atom.h"
@@ -15,9 +15,9 @@ namespace mikromakro::styles {
 using namespace LAMMPS_NS;
 using physics::Four;
 
-/// Whether the run goes on is decided before forces are evaluated, which then see the velocities of the last
-/// evaluation. Where the box carries velocities across its boundaries, ghosts do not have those of their
-/// discs.
+/// Decides, before forces are evaluated, whether the last run is continued; the forces then use the
+/// velocities of the last evaluation. Not possible if the box remaps velocities at its boundaries: the
+/// velocities of ghosts then differ from those of their discs.
 void FixNveDisc::setup_pre_force(int /*vflag*/) {
   prediction_ = Prediction::none;
   resumes_ = law_ && !domain->deform_vremap && last_forces_.nothing_changed();
@@ -34,7 +34,7 @@ void FixNveDisc::setup(int /*vflag*/) {
   members_known_ = false;
 }
 
-/// A run that starts from the file of this step will sort its discs in its set-up.
+/// A run from the restart file of this step will sort its discs in its set-up, so this run sorts as well.
 void FixNveDisc::go_on_from_last_run() {
   if (update->ntimestep == next_restart_step(*lmp)) atom->nextsort = update->ntimestep;
   if (!resumes_) return;
@@ -42,7 +42,7 @@ void FixNveDisc::go_on_from_last_run() {
   last_forces_.restore(groupbit, law_->strongest_contact());
 }
 
-/// Somebody may evaluate forces once more before the step is kept.
+/// Forces may be re-evaluated before the step is stored.
 void FixNveDisc::note_end_of_step() {
   step_complete_ = true;
   const bool may_be_kept = update->ntimestep == update->laststep || is_asked_to_stop() ||
@@ -58,9 +58,9 @@ void FixNveDisc::keep_last_forces() {
   last_forces_.keep();
 }
 
-/// Within a run, the engine writes the springs as they were when the neighbour list was built, and has no
-/// forces in the file. The command write_restart initialises the engine before, which copies the springs, and
-/// may move atoms between the ranks, so that atom->f is no longer theirs.
+/// Within a run, the engine writes the springs as of the last neighbour list build, and no forces. The
+/// command write_restart first initialises the engine, which copies the springs and may migrate atoms between
+/// ranks, so that atom->f no longer belongs to them.
 void FixNveDisc::write_restart(FILE* file) {
   if (step_complete_) {
     keep_last_forces();
@@ -134,7 +134,7 @@ void FixNveDisc::unpack_restart(int nlocal, int nth) {
   const double* extra = atom->extra[nlocal];
   int start = 0;
   for (int k = 0; k < nth; ++k) start += static_cast<int>(extra[start]);
-  // Files of older versions know less of the last step: their runs go on with the forces of the set-up.
+  // Files of older versions store less of the last step: their runs continue with the forces of the set-up.
   if (extra[start] == maxsize_restart())
     last_forces_.unpack(nlocal, extra + start + 1);
   else

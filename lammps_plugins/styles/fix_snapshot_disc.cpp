@@ -49,7 +49,7 @@ FixSnapshotDisc::FixSnapshotDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg
   if (file_.empty()) arguments.fail("expected 'file NAME.h5'");
   if (file_.find('*') != std::string::npos)
     arguments.fail("file: expected a name without *, since all frames go into one file, got '" + file_ + "'");
-  // Found out before a long run starts.
+  // Fail before a long run starts.
   on_first_rank(*lmp, style, [this] { check_snapshot_name(file_); });
 }
 
@@ -84,7 +84,7 @@ void FixSnapshotDisc::setup(int /*vflag*/) {
   last_step_ = update->ntimestep;
 }
 
-/// The engine sets fixes up in their order, and the first frame has the forces of walls.
+/// Fixes are set up in script order, and the first frame needs the wall forces.
 void FixSnapshotDisc::check_order() const {
   bool behind = false;
   for (const Fix* fix : fixes(*modify)) {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix ID group snapshot/disc N file NAME.h5 [append yes|no] [start yes|no] [height H]
 //
-// In every step that is a multiple of N the discs of the group, their contacts (columns of contact_rows.h)
-// and the numbers of the fixes with walls go as a frame into one HDF5 file
-// (postproc/io/snapshot/snapshot_layout.h), which `mikromakro` reads in place of dumps, while the run goes on
-// too. `start yes`: also in the step in which the first run starts. The thickness H (m), effects and material
-// constants are written down once.
+// In every step that is a multiple of N, the discs of the group, their contacts (columns of contact_rows.h)
+// and the values of the fixes with walls are written as a frame to one HDF5 file
+// (postproc/io/snapshot/snapshot_layout.h). `mikromakro` reads it in place of dumps, even during the run.
+// `start yes`: also write the step in which the first run starts. The thickness H (m), effects and material
+// constants are written once.
 //
-// A new file appears with its first frame and replaces an old one, unless `append yes` continues that: it has
-// to be of the same system, and its frames after the present step are dropped. The frames that were complete
-// outlive a kill of any rank at any moment (postproc/io/snapshot/snapshot_log.h).
+// A new file appears with its first frame and replaces an old one, unless `append yes` continues the old one:
+// it must be of the same system, and its frames after the present step are dropped. Complete frames survive a
+// kill of any rank at any moment (postproc/io/snapshot/snapshot_log.h).
 //
-// All ranks give their discs and contacts to the first one, which writes alone: of HDF5's ways to write, only
-// that of a single writer keeps a file readable through a kill, and HDF5 1.10 refuses it with MPI-IO.
+// All ranks send their discs and contacts to the first one, which writes alone: only HDF5's single-writer
+// mode keeps a file readable after a kill, and HDF5 1.10 does not allow it with MPI-IO.
 #pragma once
 
 #include <memory>
@@ -54,7 +54,7 @@ class FixSnapshotDisc : public FixOfEngine, public ContactObserver, public FileW
   SnapshotParameters record_;
   std::unique_ptr<SnapshotLog> log_;  // on the first rank, from the first run on
   bool begun_ = false;
-  LAMMPS_NS::bigint last_step_ = -1;  // of a frame of this fix
+  LAMMPS_NS::bigint last_step_ = -1;  // step of this fix's last frame
 };
 
 }  // namespace mikromakro::styles

@@ -26,9 +26,9 @@ namespace {
 
 constexpr int first_id = -11;
 
-// What a restart file holds besides the springs.
+// Restart data in addition to the springs.
 struct SavedState {
-  SmoothWall wall;  // as the script gave it
+  SmoothWall wall;  // as given in the script
   PlaneVector start;
   double start_time, power, work;
   double elapsed, step_of_clock, dt, step_of_file;
@@ -51,7 +51,7 @@ FixWallDisc::FixWallDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) : FixW
   keep_springs_with_atoms();
 }
 
-// After the state of a restart file, if there is one, has been taken over.
+// Called after the restart state, if any, has been read.
 void FixWallDisc::once_defined() {
   walls_.check_cuts({wall_at(update->ntimestep)});
 }
@@ -78,7 +78,7 @@ void FixWallDisc::init() {
   step_of_loads_ = -1;
 }
 
-// A disc meets the wall itself only, none of its images.
+// Discs interact with the wall itself only, not with periodic images of it.
 void FixWallDisc::check_periodic_images(const SmoothWall& wall) const {
   const double reach = wall.radius + largest_radius_;
   const bool flat = wall.shape == WallShape::flat;
@@ -100,7 +100,7 @@ void FixWallDisc::check_periodic_images(const SmoothWall& wall) const {
   check(domain->yperiodic != 0, wall.outward.y, wall.point.y, 1);
 }
 
-/// A fixed side of the box takes discs away before they come to a wall behind it.
+/// Discs are lost at a fixed side of the box before they reach a wall beyond it.
 void FixWallDisc::warn_outside_box(const SmoothWall& wall) const {
   const bool flat = wall.shape == WallShape::flat;
   const auto open = [&](int axis) {
@@ -110,7 +110,7 @@ void FixWallDisc::warn_outside_box(const SmoothWall& wall) const {
   const double* high = domain->boxhi;
   bool outside = false;
   if (flat && open(0) && open(1)) {
-    // All corners, the nearest one too, are away from the wall.
+    // True if even the corner of the box nearest to the wall does not reach it.
     const PlaneVector nearest{wall.outward.x > 0 ? high[0] : low[0], wall.outward.y > 0 ? high[1] : low[1]};
     outside = (nearest.x - wall.point.x) * wall.outward.x + (nearest.y - wall.point.y) * wall.outward.y < 0;
   }
@@ -134,7 +134,7 @@ SmoothWall FixWallDisc::wall_at(LAMMPS_NS::bigint step) const {
   return wall;
 }
 
-// The command `timestep` tells no fix.
+// The command `timestep` does not notify fixes.
 void FixWallDisc::follow_time_step(LAMMPS_NS::bigint step) {
   if (update->dt != clock_.dt()) clock_.change_step_length(step, update->dt);
 }
@@ -158,13 +158,13 @@ double FixWallDisc::apply() {
            load.torque * wall.rotation_rate);
 }
 
-// A run that goes on does so with the power of the last step, whose velocities were predicted.
+// A continued run uses the power of the last step, whose velocities were predicted.
 void FixWallDisc::setup(int /*vflag*/) {
   const double power = apply();
   if (!goes_on_) power_ = power;
 }
 
-// The work is the trapezium of the power over the step.
+// Work by the trapezoidal rule from the power at both ends of the step.
 void FixWallDisc::post_force(int /*vflag*/) {
   follow_time_step(update->ntimestep - 1);
   const double before = power_;
@@ -200,7 +200,7 @@ double FixWallDisc::compute_vector(int i) {
   return loads()[i < 3 ? i : 3];
 }
 
-// The tallies of all ranks go to the first one, here as in the run that continues, so that both add up the
+// The sums over all ranks are assigned to the first one, here and in the continued run, so that both add the
 // same numbers.
 void FixWallDisc::write_restart(FILE* file) {
   const double power = sum_of_all_ranks(power_), work = sum_of_all_ranks(work_);
@@ -230,14 +230,14 @@ void FixWallDisc::restart(char* buffer) {
     return;
   }
   clock_ = physics::StepClock(state.elapsed, static_cast<LAMMPS_NS::bigint>(state.step_of_clock), state.dt);
-  // The steps may have been counted anew between read_restart and here.
+  // Steps may have been renumbered since read_restart.
   clock_.shift_steps(update->ntimestep - static_cast<LAMMPS_NS::bigint>(state.step_of_file));
   start_ = state.start;
   start_time_ = state.start_time;
   if (comm->me == 0) power_ = state.power, work_ = state.work;
   goes_on_ = true;
   if (state.wall == settings_.wall) return;
-  // Another motion begins where the wall stands.
+  // A new motion starts from the wall's present position.
   const SmoothWall given = settings_.wall;
   settings_.wall = state.wall;
   start_ = wall_at(update->ntimestep).point;

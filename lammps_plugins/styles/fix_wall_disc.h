@@ -2,25 +2,26 @@
 // fix ID group wall/disc type T plane NX NY OFFSET         [move vx VX vy VY]
 // fix ID group wall/disc type T circle X Y R inside/outside [move vx VX vy VY] [rotate OMEGA]
 //
-// A smooth wall that the discs of the group touch under the law of the pair style (physics/smooth_wall.h),
-// with the material constants of the atom type T: without friction where its constant mu with the types of
-// the discs is 0.
-//   plane   the straight line at the distance OFFSET (m, may be negative) from the origin along (NX, NY), of
-//   any
-//           length, which points from the wall to the discs: 'plane 0 1 0' is the floor y = 0
-//   circle  of the radius R about (X, Y) (m); the discs are inside of it or outside
-//   move    with the velocity VX, VY (m/s; 0 where it is not given). A plane that moves along itself is a
-//   belt rotate  its surface turns with OMEGA about its centre (1/s, counter-clockwise positive)
-// A wall is not repeated at periodic boundaries: a plane across one that is not parallel to it, or a circle
-// that a disc can touch from the other side, is refused.
+// A smooth wall in contact with the discs of the group under the law of the pair style
+// (physics/smooth_wall.h), with the material constants of the atom type T: frictionless if its constant mu
+// with the types of the discs is 0.
 //
-// Contact rows show the walls with id2 = -11, -12, ... in the order of the fixes. A fix that continues from a
-// restart file goes on where the wall stood; one that puts it elsewhere begins anew.
+//   plane   the straight line at the distance OFFSET (m, may be negative) from the origin along (NX, NY), a
+//           vector of any length that points from the wall to the discs: 'plane 0 1 0' is the floor y = 0
+//   circle  of radius R about (X, Y) (m), with the discs inside or outside
+//   move    at the velocity VX, VY (m/s; default 0). A plane that moves along itself is a belt
+//   rotate  the surface rotates at OMEGA about its centre (1/s, counter-clockwise positive)
 //
-// Scalar: work of the wall on the discs (J), since the fix was defined, also over restarts. Vector, of the
-// last force evaluation:
-//   1, 2  force of the discs on the wall, N       3  their torque on it about the centre of the circle, of a
-//                                                    plane about the origin, N m; counter-clockwise positive
+// Walls have no periodic images: a plane whose normal has a component along a periodic direction, or a circle
+// that a disc can touch from the other side, is rejected.
+//
+// The ids in contact rows are id2 = -11, -12, ... in the order of the fixes. A fix that continues from a
+// restart file continues from the wall's stored position; one with a different geometry starts afresh.
+//
+// Scalar: work of the wall on the discs (J), since the fix was defined, continued across restarts. Vector,
+// of the last force evaluation:
+//   1, 2  force of the discs on the wall, N       3  their torque on it about the circle's centre (plane: the
+//                                                    origin), N m; counter-clockwise positive
 //   4     the scalar, J                            5  sum of the normal forces, N; positive in compression
 #pragma once
 
@@ -60,13 +61,13 @@ class FixWallDisc : public FixWithWalls {
   const std::array<double, 4>& loads();
 
   WallDiscSettings settings_;
-  physics::PlaneVector start_;  // where the point of the wall was at start_time_ (m, s)
+  physics::PlaneVector start_;  // the wall's point at start_time_ (m, s)
   double start_time_ = 0;
   physics::StepClock clock_;
-  double largest_radius_ = 0;  // of the discs of the group, at the start of a run (m)
-  // Of the discs of this rank: the power that they get at the last evaluation (W), their work (J).
+  double largest_radius_ = 0;  // in the group, at the start of a run (m)
+  // For the discs of this rank: power of the wall on them at the last evaluation (W), its work (J).
   double power_ = 0, work_ = 0;
-  bool goes_on_ = false;  // power_ is that of the last step
+  bool goes_on_ = false;  // power_ was kept from the last step
   std::array<double, 4> loads_{};
   LAMMPS_NS::bigint step_of_loads_ = -1;
 };

@@ -21,7 +21,7 @@ FixWithWalls::FixWithWalls(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
 }
 
 FixWithWalls::~FixWithWalls() {
-  // Not where a bad command has ended the constructor of a fix by an exception.
+  // Callbacks are missing if the constructor of the fix ended with an exception.
   if (!springs_are_kept_) return;
   atom->delete_callback(id, 0);
   atom->delete_callback(id, 1);

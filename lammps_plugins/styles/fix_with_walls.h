@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What fixes with smooth walls have in common: the springs of the discs at them go with the atoms, to other
-// ranks and into restart files.
+// Base class of fixes with smooth walls: springs at walls migrate with the atoms and are kept in restart
+// files.
 #pragma once
 
 #include <vector>
@@ -35,9 +35,9 @@ class FixWithWalls : public FixWithClock, public WallContactSource {
   std::vector<WallKind> wall_kinds() const override { return walls_.kinds(); }
 
  protected:
-  /// Ends the run where discs cannot touch walls: three dimensions, or atoms that do not turn.
+  /// Stops the run in three dimensions, or if atoms have no spin.
   FixWithWalls(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
-  /// Once the walls are added.
+  /// Call once the walls have been added.
   void keep_springs_with_atoms();
 
   SmoothWalls walls_;

@@ -34,7 +34,7 @@ constexpr ColumnSet first_columns(T count) {
   return (ColumnSet{1} << static_cast<unsigned>(count)) - 1;
 }
 
-/// The rows of all ranks on the first one, in the order of the ranks.
+/// Gathers the rows of all ranks on the first one, in rank order.
 template <class Row>
 std::vector<Row> gather(const std::vector<Row>& mine, LAMMPS& engine) {
   const bool first = engine.comm->me == 0;
@@ -48,7 +48,7 @@ std::vector<Row> gather(const std::vector<Row>& mine, LAMMPS& engine) {
     total += static_cast<std::size_t>(counts[k]);
   }
   std::vector<Row> all(total);
-  // Whole rows are counted, so that the numbers of large packings do not run out of an int.
+  // Counts whole rows, so that large packings do not overflow an int.
   MPI_Datatype row = MPI_DATATYPE_NULL;
   MPI_Type_contiguous(static_cast<int>(sizeof(Row) / sizeof(double)), MPI_DOUBLE, &row);
   MPI_Type_commit(&row);
@@ -92,7 +92,7 @@ void take_contacts(const std::vector<ContactRow>& rows, RawFrame& frame) {
   }
 }
 
-// Fixes with walls have their state as a vector, which only all ranks together know.
+// The state of a wall is the global vector of its fix, whose evaluation is collective.
 std::vector<WallState> wall_states(const LAMMPS_NS::Modify& modify) {
   std::vector<WallState> walls;
   for (LAMMPS_NS::Fix* fix : fixes(modify)) {

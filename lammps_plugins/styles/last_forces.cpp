@@ -14,7 +14,7 @@ namespace mikromakro::styles {
 
 namespace {
 
-/// Whether two coordinates are the same place; the engine wraps discs into a periodic box between runs.
+/// True if two coordinates are the same position; the engine wraps discs into a periodic box between runs.
 bool same_place(double a, double b, bool periodic, double period) {
   if (a == b) return true;
   constexpr double rounding = 1e-12;
@@ -61,7 +61,8 @@ bool LastForces::nothing_changed() const {
 }
 
 void LastForces::restore(int group_bit, double contact_force) const {
-  // A force is a sum of some contacts, each right to 1e-16; what is lost where they cancel is theirs.
+  // A force is a sum over a few contacts, each accurate to 1e-16; where they cancel, the error scales with
+  // the contact forces.
   constexpr double of_sum = 1e-8, of_contacts = 1e-13;
   const auto& atom = *engine_.atom;
   for (int i = 0; i < atom.nlocal; ++i) {

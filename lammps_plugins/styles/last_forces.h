@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The forces of the last step, with which the next run goes on.
+// Forces of the last step, with which the next run continues.
 #pragma once
 
 #include <array>
@@ -14,33 +14,33 @@ class LAMMPS;
 
 namespace mikromakro::styles {
 
-/// Forces and torques that discs had at the end of a step, and the velocities that these forces depended on,
-/// for the first half-kick of the run that continues from there, in the same process or from a restart file.
+/// Forces and torques of the discs at the end of a step, and the velocities they were evaluated with, for the
+/// first half-kick of the continued run, in the same process or from a restart file.
 ///
-/// The set-up of a run evaluates forces anew. Where no disc has changed since, contacts see the velocities of
-/// the last evaluation once more, and so the same forces result, but for the rounding of a spring that
-/// slides. A disc whose force is the same in this sense goes on with the last bits of it, so that the run is
-/// the one that was never interrupted. Whatever else has changed, a constant, a neighbour or a fix of any
-/// kind, shows in the force itself, and then the new one counts, as in stock engines.
+/// The set-up of a run re-evaluates forces. If no disc has changed since, contacts use the velocities of the
+/// last evaluation again, so the forces agree except for rounding in sliding springs. A disc whose force
+/// agrees to rounding continues with the exact bits of the old one, so the run equals the uninterrupted one.
+/// Any other change, of a constant, a neighbour or a fix, changes the force itself; then the new force
+/// counts, as in stock engines.
 class LastForces {
  public:
   explicit LastForces(LAMMPS_NS::LAMMPS& engine) : engine_(engine) {}
 
-  /// Notes the velocities that forces depended on: those in the rows of the owned discs; spins are those of
-  /// the engine where a law without friction has left them out of the rows.
+  /// Stores the velocities used for the forces: those in the rows of the owned discs; for laws without
+  /// friction, whose rows lack spins, the engine's spins.
   void see(const physics::DiscRow* rows, bool rows_have_spins);
-  /// Notes the discs as they are at the end of this step. After see().
+  /// Stores the discs as they are at the end of this step. Call after see().
   void keep();
 
-  /// Whether every disc of all ranks is as it was when it was kept, and none is missing or new.
+  /// True if every disc on all ranks is unchanged since keep(), and none is missing or new.
   bool nothing_changed() const;
   const std::array<double, 3>& seen(int i) const { return kept_[i].seen; }
 
-  /// Gives the noted forces to those discs of the group that have the same ones to rounding. contact_force:
-  /// of the strongest contacts [N], for their rounding.
+  /// Restores the stored forces on those discs of the group whose present forces agree to rounding.
+  /// contact_force: largest contact force [N], which sets the rounding tolerance.
   void restore(int group_bit, double contact_force) const;
 
-  // Per-atom storage, as the engine asks for it.
+  // Per-atom storage, for the engine's callbacks.
   static constexpr int values = 14;
   void grow(int count) { kept_.resize(count); }
   void copy(int from, int to) { kept_[to] = kept_[from]; }
@@ -51,7 +51,7 @@ class LastForces {
 
  private:
   struct Kept {
-    double discs = 0;                // in the whole system; 0: nothing is known
+    double discs = 0;                // in the whole system; 0: nothing stored
     std::array<double, 4> shape{};   // x, y, radius, type
     std::array<double, 3> motion{};  // v_x, v_y, omega
     std::array<double, 3> seen{};    // the same when forces were evaluated
@@ -61,7 +61,7 @@ class LastForces {
   bool unchanged(int i) const;
 
   LAMMPS_NS::LAMMPS& engine_;
-  std::vector<Kept> kept_;  // of each owned atom
+  std::vector<Kept> kept_;  // per owned atom
 };
 
 }  // namespace mikromakro::styles

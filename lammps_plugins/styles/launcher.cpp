@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// liggghts-disc and lmp-disc: the packaged engine with the disc styles; same command line as the engine's
-// own.
+// liggghts-disc and lmp-disc: the packaged engine with the disc styles; same command line as the engine.
 #include <mpi.h>
 
 #include <cstdio>
@@ -15,7 +14,7 @@
 
 namespace {
 
-/// Replaces what users of other programs type by the engine's own word.
+/// Replaces the usual help options by the engine's own.
 bool wants_help(int argc, char** argv) {
   static char own[] = "-help";
   for (int i = 1; i < argc; ++i) {
@@ -26,7 +25,7 @@ bool wants_help(int argc, char** argv) {
   return false;
 }
 
-/// LIGGGHTS exits with 1 after its help.
+/// LIGGGHTS exits with status 1 after its help.
 void end_of_help() {
   std::fflush(nullptr);
   std::_Exit(0);
@@ -35,7 +34,8 @@ void end_of_help() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Line by line also into a pipe: an error of one rank ends the others, and what they hold back is lost.
+  // Line-buffered even into a pipe: an error on one rank aborts the others, whose buffered output would be
+  // lost.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   if (argc == 2 && std::string_view(argv[1]) == "--version") {
     std::printf("%s\n", mikromakro::styles::version_line().c_str());
@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (rank == 0) {
     std::printf("%s\n", mikromakro::styles::version_line().c_str());
-    // The engine prints its own help and ends inside its constructor, so ours comes first.
+    // The engine prints its help and exits in its constructor, so ours is printed first.
     if (help) std::printf("%s", mikromakro::styles::style_list().c_str());
   }
   if (help) std::atexit(end_of_help);

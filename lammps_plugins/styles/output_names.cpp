@@ -20,12 +20,12 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-/// The name of a dump's file is known to dumps alone.
+/// The file name of a dump is a protected member.
 struct NameOfDump : Dump {
   static std::string of(const Dump& dump) { return dump.*(&NameOfDump::filename); }
 };
 
-/// The same for all names of a file that exists, and for all ways to a folder that does.
+/// Canonical path: the same for all names of an existing file and all paths to an existing directory.
 std::filesystem::path place_of(const std::string& name) {
   std::error_code code;
   const std::filesystem::path place =

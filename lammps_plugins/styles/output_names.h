@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Files that a run writes: what one output writes, another one would replace.
+// Output files of a run: two outputs must not write the same file.
 #pragma once
 
 #include <string>
@@ -18,12 +18,12 @@ namespace mikromakro::styles {
 class FileWriter {
  public:
   virtual ~FileWriter() noexcept(styles_never_throw) = default;
-  /// As the script names them, with a * for the step.
+  /// File names as in the script, with a * for the step.
   virtual std::vector<std::string> output_names() const = 0;
 };
 
-/// Ends the run where another fix of ours or a dump writes one of the files of `own`, by whatever name or
-/// link, and under other units than SI, in which the files are.
+/// Stops the run if another of our fixes or a dump writes a file of `own`, under any name or link, or if
+/// units are not SI, in which the files are written.
 void check_outputs(LAMMPS_NS::LAMMPS& engine, const LAMMPS_NS::Fix& own);
 
 }  // namespace mikromakro::styles

@@ -23,8 +23,8 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-/// While the state is open, rings move wall discs in their rows, and smooth walls and the bottom act on rows
-/// and loads.
+/// In the open state, rings move wall discs in their rows, and smooth walls and the bottom act on rows and
+/// loads.
 bool may_act(const Fix& fix, int mask) {
   using namespace FixConst;
   int in_rows = 0;
@@ -35,7 +35,7 @@ bool may_act(const Fix& fix, int mask) {
   return leaves_discs_alone(fix, mask & ~in_rows);
 }
 
-/// Bonds and their like, and forces of long range, which the engine adds after those of the pair style.
+/// Bonded and long-range forces, which the engine adds after those of the pair style.
 bool others_add_forces(const Force& force) {
   return force.bond || force.angle || force.dihedral || force.improper || force.kspace;
 }
@@ -43,7 +43,7 @@ bool others_add_forces(const Force& force) {
 }  // namespace
 
 bool may_stay_open(LAMMPS& engine, const Fix& integrator) {
-  constexpr int run = 1;  // and no minimisation
+  constexpr int run = 1;  // not a minimisation
   const Update& update = *engine.update;
   if (update.whichflag != run || std::strcmp(update.integrate_style, "verlet") != 0) return false;
   if (others_add_forces(*engine.force)) return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// FOR_EACH_PROCESSOR: the function is compiled for AVX-512, for AVX2 and for any x86-64, and the processor
-// decides; its file is compiled without fused multiply-add, so that all give the same. Clang does not clone
-// templates, and other processors have one set of instructions for all.
+// FOR_EACH_PROCESSOR: compiles a function for AVX-512, AVX2 and baseline x86-64, selected at run time. Its
+// file is compiled without fused multiply-add, so that all variants give the same bits. Not used with Clang,
+// which does not clone templates, nor on other architectures, which need no variants.
 #pragma once
 
 #if defined(__clang__) || !defined(__x86_64__)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Makes the disc styles known to an engine.
+// Registers the disc styles with an engine.
 #pragma once
 
 #include <map>
@@ -9,14 +9,13 @@
 
 namespace mikromakro::styles {
 
-// What the engines have in common, by the names of scripts; contact laws are an engine's own.
+// Engine-independent styles by their names in scripts; contact laws are registered per engine.
 extern const std::map<std::string, FixCreator> disc_fixes;
 extern const std::map<std::string, ComputeCreator> disc_computes;
 extern const std::map<std::string, CommandCreator> disc_commands;
 
 /// Adds the fixes, computes and commands of mikromakro to the tables of one engine and the contact laws to
-/// the engine's factories. Called for every new engine and again after `clear`; calling it twice changes
-/// nothing.
+/// the engine's factories. Called for every new engine and again after `clear`; idempotent.
 void register_styles(LAMMPS_NS::LAMMPS& engine);
 
 /// One line: name and version of mikromakro and of the engine.

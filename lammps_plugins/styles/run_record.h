@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a run simulates, as its snapshots say it.
+// Record of what a run simulates, as stored in snapshots.
 #pragma once
 
 #include "io/snapshot/snapshot_parameters.h"
@@ -10,9 +10,8 @@ class LAMMPS;
 
 namespace mikromakro::styles {
 
-/// Units, the group whose discs are in the file, names of the effects that are simulated, engine, and the
-/// material constants that are given under their names; the thickness where it is given (m, > 0). To be
-/// called when a run starts.
+/// Units, the group whose discs are in the file, names of the simulated effects, engine, the given material
+/// constants by name, and the thickness if given (m, > 0). Call when a run starts.
 SnapshotParameters run_record(LAMMPS_NS::LAMMPS& engine, const std::string& group, double height);
 
 }  // namespace mikromakro::styles

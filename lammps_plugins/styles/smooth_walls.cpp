@@ -103,7 +103,7 @@ std::string SmoothWalls::deepest_cut(const std::vector<physics::SmoothWall>& wal
   const int mine = worst.id;
   MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
   if (worst.depth < cut) return "";
-  if (mine != worst.id) wall_of_worst = 0;  // only the rank that owns the disc knows the wall
+  if (mine != worst.id) wall_of_worst = 0;  // only the owner of the disc knows the wall
   MPI_Allreduce(MPI_IN_PLACE, &wall_of_worst, 1, MPI_INT, MPI_MAX, world);
   return names_[wall_of_worst] + ": expected a wall that cuts through no disc, got an overlap of " +
          text_of(worst.depth) + " radii with disc " + std::to_string(worst.id) +
@@ -123,8 +123,8 @@ void SmoothWalls::forget_unused_springs() {
   springs_.swap(used);
 }
 
-/// Discs that may touch a wall before these are looked for again: until the neighbour list is built again a
-/// disc moves by half the skin at most, and a wall as far.
+/// Finds the discs that may touch a wall before the next search: until the next neighbour list build, disc
+/// and wall each move by at most half the skin.
 void SmoothWalls::find_near(const std::vector<physics::SmoothWall>& walls) {
   forget_unused_springs();
   for (auto& of_wall : near_) of_wall.clear();
@@ -141,7 +141,7 @@ void SmoothWalls::find_near(const std::vector<physics::SmoothWall>& walls) {
 
 physics::MovingDisc SmoothWalls::disc(int i) const {
   if (const auto* row = law_ ? law_->seen(i) : nullptr) {
-    // Without friction rows have no spin.
+    // Without friction, rows hold no spin.
     const double spin = law_->effects().tangential == Tangential::none ? atom->omega[i][2] : row->spin();
     return {{row->x(), row->y()}, row->velocity(), spin, row->radius()};
   }
@@ -149,7 +149,7 @@ physics::MovingDisc SmoothWalls::disc(int i) const {
   return {{x[0], x[1]}, {v[0], v[1]}, atom->omega[i][2], atom->radius[i]};
 }
 
-/// After the contacts between discs, where the state is open and where it is not: the same sums.
+/// Adds after the disc-disc contacts in both the open and the closed state, so that both give the same sums.
 template <Effects effects>
 void SmoothWalls::add_to_disc(int i, const physics::PlaneVector& force, double torque) {
   auto& packed = law_->packed_discs();
@@ -229,8 +229,7 @@ void SmoothWalls::record(int i, int number, const physics::WallPoint& at, const 
 
 namespace {
 
-/// The disc of a wall contact may have been taken along since by a box that changes, by much less than a
-/// radius.
+/// A changing box may have moved the disc of a wall contact since, by much less than a radius.
 void move_to(const double* place, ContactRow& row) {
   const double x = place[0] - row[2], y = place[1] - row[3];
   if (x == 0 && y == 0) return;

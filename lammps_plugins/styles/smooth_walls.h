@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The smooth walls of a fix as partners of discs: which discs are near, their springs, and the forces.
+// Contacts of discs with the smooth walls of a fix: nearby discs, springs and forces.
 #pragma once
 
 #include <array>
@@ -16,44 +16,43 @@ namespace mikromakro::styles {
 
 class DiscLaw;
 
-/// Discs of a group, without those of some other groups, touch up to four walls under the disc law that is
-/// active. The owner moves the walls and hands over the engine's calls about arrays of atoms. A disc costs
-/// nothing where no wall is within the skin of the neighbour list; springs are kept only for discs that
-/// touch.
+/// Up to four walls act on the discs of a group, except those of excluded groups, under the active disc law.
+/// The owner moves the walls and forwards the engine's per-atom callbacks. Discs further from a wall than the
+/// skin of the neighbour list cost nothing; springs are stored only for touching discs.
 class SmoothWalls : protected LAMMPS_NS::Pointers {
  public:
   static constexpr int most_walls = 4;
 
   SmoothWalls(LAMMPS_NS::LAMMPS& engine, std::string style) : Pointers(&engine), style_(std::move(style)) {}
 
-  /// A wall with the id that contact rows show (contact_rows.h), a name for messages, and the atom type whose
-  /// material constants it has. Returns its number.
+  /// Adds a wall: its id in contact rows (contact_rows.h), a name for messages, and the atom type that
+  /// supplies its material constants. Returns its index.
   int add(int id, const std::string& name, int type);
-  /// Another id in contact rows; springs in files keep the one of add().
+  /// Changes the id in contact rows; springs in restart files keep the id of add().
   void show_as(int number, int id) { kinds_[number].id = id; }
   bool any() const { return !kinds_.empty(); }
   void act_on(int group_bit, int but_not_on_bits);
   const std::vector<WallKind>& kinds() const { return kinds_; }
 
-  /// Ends the run where a wall cuts through a disc, to half of its radius or more. For new walls.
+  /// Stops the run if a wall overlaps a disc by half its radius or more. For new walls.
   void check_cuts(const std::vector<physics::SmoothWall>& walls) const;
-  /// At the start of a run. Ends it where no disc law is active or the group is empty, and the first run
-  /// where a wall cuts through a disc; warns of that in later ones, when walls may have been pressed into
-  /// discs.
+  /// Call at the start of a run. Stops it if no disc law is active or the group is empty. A wall that cuts
+  /// through a disc is an error in the first run and a warning in later ones, when walls may have been
+  /// pressed into discs.
   void init(const std::vector<physics::SmoothWall>& walls);
 
-  /// Adds the forces of this step to discs that touch the walls, of which there is one for each add().
+  /// Adds this step's wall forces to the discs; one wall for each add(), in that order.
   void apply(const std::vector<physics::SmoothWall>& walls);
-  /// On the discs of this rank, by the last apply().
+  /// Loads on the walls from the discs of this rank, at the last apply().
   const std::vector<physics::WallLoad>& loads() const { return loads_; }
   bool append_contacts(int group_bit, std::vector<ContactRow>& rows) const;
-  /// A disc as contacts see it in this step: in its row, once they have been evaluated.
+  /// A disc as used for contacts in this step: from its row once contacts have been evaluated.
   physics::MovingDisc disc(int i) const;
-  /// The atoms carry velocities that were predicted for the instant of their positions.
+  /// True if velocities are predicted for the time of the positions.
   bool velocities_predicted() const { return step_.predicted; }
 
-  // Springs of atom i, for the engine's calls of the same names. Packed: how many, then wall id, xi and slip
-  // rate of each.
+  // Springs of atom i, for the engine's callbacks of the same names. Packed as: count, then wall id, xi and
+  // slip rate of each.
   void grow(int nmax) { slots_.resize(nmax, no_slot); }
   void copy(int from, int to) { slots_[to] = slots_[from]; }
   void clear(int i) { slots_[i] = no_slot; }
@@ -78,7 +77,7 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   void add_to_disc(int i, const physics::PlaneVector& force, double torque);
   void find_law();
   void warn_of_cuts(const std::vector<physics::SmoothWall>& walls) const;
-  /// By half of a radius or more, in words; "" for none.
+  /// Describes the deepest cut of half a radius or more; "" if none.
   std::string deepest_cut(const std::vector<physics::SmoothWall>& walls) const;
   void check_group() const;
   void find_near(const std::vector<physics::SmoothWall>& walls);
@@ -98,15 +97,15 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   std::vector<WallKind> kinds_;
   std::vector<int> ids_of_springs_;
   std::vector<std::string> names_;
-  std::vector<std::vector<physics::ContactParameters>> parameters_;  // of each wall with each type
+  std::vector<std::vector<physics::ContactParameters>> parameters_;  // per wall and atom type
   DiscLaw* law_ = nullptr;
   Loop loop_ = nullptr;
   physics::StepOfSlip step_{0.0, false};
-  // Discs within the skin of each wall, and where the walls stood when these were found.
+  // Discs within the skin of each wall, and the walls when these were found.
   std::vector<std::vector<int>> near_;
   std::vector<physics::SmoothWall> walls_then_;
-  std::vector<int> slots_;        // of each atom: its place in springs_
-  std::vector<Springs> springs_;  // of discs that touch; those left behind are dropped in find_near()
+  std::vector<int> slots_;        // per atom: index into springs_
+  std::vector<Springs> springs_;  // of touching discs; unused ones are dropped in find_near()
   std::vector<physics::WallLoad> loads_;
   ContactSchedule schedule_;
   LAMMPS_NS::bigint recorded_step_ = -1;

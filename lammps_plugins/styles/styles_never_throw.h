@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What stands beside the engine's base class of a style has to promise as much as it does.
+// noexcept of destructors: an additional base class of a style must promise what the engine's base class
+// does.
 #pragma once
 
 #include <type_traits>
@@ -8,7 +9,7 @@
 
 namespace mikromakro::styles {
 
-/// Later LAMMPS lets the destructors of its styles throw.
+/// Destructors of styles may throw in newer LAMMPS.
 inline constexpr bool styles_never_throw = std::is_nothrow_destructible_v<LAMMPS_NS::Pointers>;
 
 }  // namespace mikromakro::styles

@@ -33,8 +33,8 @@ std::string shortest(double value) {
   return text;
 }
 
-/// Whether a fix that integrates the equations of motion moves the atom; walls are carried, and count as
-/// infinitely heavy in a contact.
+/// Group bits of the fixes that integrate the equations of motion; all other atoms, such as wall discs, have
+/// prescribed motion and count as infinitely heavy in a contact.
 int integrated_groups(const Modify& modify) {
   int bits = 0;
   for (const Fix* fix : fixes(modify))
@@ -42,10 +42,10 @@ int integrated_groups(const Modify& modify) {
   return bits;
 }
 
-/// Of each type, over all ranks: the lightest of the discs that move freely, the largest of the others (0
-/// where there is none), the largest speed.
+/// Per type, over all ranks: mass of the lightest freely moving disc, radius of the largest other disc (0 if
+/// none), largest speed.
 struct TypesAtHand {
-  std::vector<double> mass, radius;  // infinite mass: no disc moves freely
+  std::vector<double> mass, radius;  // infinite mass: no freely moving disc
   std::vector<double> carried_radius, speed;
 };
 
@@ -53,8 +53,8 @@ void largest_of_all_ranks(std::vector<double>& values, MPI_Comm world) {
   MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX, world);
 }
 
-/// Smooth walls are carried, too. In a contact they are like a large disc: more than a hundred times as large
-/// as others, their exact radius makes no difference to a time scale.
+/// Smooth walls have prescribed motion too. They enter as a disc more than a hundred times larger than the
+/// others, whose exact radius does not affect time scales.
 void carry_walls(const Modify& modify, std::vector<double>& carried_radius) {
   constexpr double large = 1e3;  // m
   for (const Fix* fix : fixes(modify)) {
@@ -88,7 +88,7 @@ TypesAtHand types_at_hand(const Atom& atom, const Modify& modify, MPI_Comm world
   return types;
 }
 
-/// Largest overlap of each pair of types [m], 0 where none touch; over all ranks.
+/// Largest overlap of each pair of types over all ranks [m], 0 if none touch.
 std::vector<double> largest_overlaps(const Atom& atom, const NeighList& list, MPI_Comm world) {
   const std::size_t types = atom.ntypes;
   std::vector<double> largest(types * types, 0.0);
@@ -107,7 +107,7 @@ std::vector<double> largest_overlaps(const Atom& atom, const NeighList& list, MP
   return largest;
 }
 
-/// What a contact of one pair meets.
+/// Conditions of a collision between two types.
 struct Meeting {
   double m12, reduced_radius, velocity, overlap;
 };
@@ -122,7 +122,7 @@ double duration(const physics::ContactParameters& p, const physics::Effects& eff
   return std::min(physics::hertz_contact_duration(k_h, m.m12, m.velocity), oscillation);
 }
 
-/// Shortest contact duration of any pair of types that can meet [s]; infinite where nothing moves.
+/// Shortest contact duration over all pairs of types that can collide [s]; infinite if nothing moves.
 double shortest_contact(const TypesAtHand& at_hand, const std::vector<double>& overlaps,
                         const TimeScales& law) {
   const std::size_t types = at_hand.mass.size();

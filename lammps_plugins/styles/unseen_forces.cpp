@@ -22,7 +22,7 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-/// They act on a disc as a whole, or on none.
+/// Fixes that exert body forces, or no force.
 constexpr std::array<std::string_view, 25> body_forces = {"accelerate/cos",
                                                           "addforce",
                                                           "aveforce",

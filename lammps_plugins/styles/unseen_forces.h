@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forces on discs that are in none of our outputs.
+// Forces on discs that are missing from our outputs.
 #pragma once
 
 namespace LAMMPS_NS {
@@ -8,9 +8,9 @@ class LAMMPS;
 
 namespace mikromakro::styles {
 
-/// At the start of a run: one warning that names the fixes (and styles of bonds) that push discs as contacts
-/// do, or may do so, while a compute or fix of ours says what contacts there are. Body forces such as gravity
-/// are no contacts and known; every fix that is not known is named.
+/// Warns once, at the start of a run, if fixes (or bond styles) exert or may exert contact-like forces on
+/// discs while one of our computes or fixes outputs contacts; names them all. Known body forces such as
+/// gravity are exempt; every unknown fix is named.
 void warn_of_unseen_forces(LAMMPS_NS::LAMMPS& engine);
 
 }  // namespace mikromakro::styles

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The arguments of fix wall/disc.
+// Arguments of fix wall/disc.
 #pragma once
 
 #include "arguments.h"
@@ -8,13 +8,13 @@
 namespace mikromakro::styles {
 
 struct WallDiscSettings {
-  int type = 0;              // whose material constants the wall has
-  physics::SmoothWall wall;  // where it stands at first, and how it moves
+  int type = 0;              // atom type that supplies the material constants
+  physics::SmoothWall wall;  // initial position, and motion
 };
 
 WallDiscSettings parse_wall_disc(LAMMPS_NS::LAMMPS& engine, Arguments& arguments);
 
-/// Whether two walls are the same but for their motion.
+/// True if two walls differ at most in their motion.
 bool same_place(physics::SmoothWall a, const physics::SmoothWall& b);
 
 }  // namespace mikromakro::styles

@@ -13,7 +13,7 @@ using LAMMPS_NS::Modify;
 
 namespace {
 
-// See engine_access.cpp for the way to private members.
+// Access to private members: see engine_access.cpp.
 template <class Tag, typename Tag::Type Member>
 struct Grant {
   friend typename Tag::Type member(Tag /*tag*/) { return Member; }

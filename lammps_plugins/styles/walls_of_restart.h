@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a restart file holds for fixes that the script does not define again.
+// Walls in a restart file whose fixes the script does not define again.
 #pragma once
 
 #include <string>
@@ -11,18 +11,18 @@ class LAMMPS;
 
 namespace mikromakro::styles {
 
-/// The walls of a style in a restart file; made with each fix of the style, between read_restart and the
-/// first run after it, when the engine forgets them.
+/// The walls of a style in a restart file. Constructed with each fix of the style, between read_restart and
+/// the first run after it, when the engine discards them.
 class WallsOfRestart {
  public:
   WallsOfRestart(const LAMMPS_NS::LAMMPS& engine, std::string style);
 
-  /// Tells once, when a run begins, which of them no fix continues. Some engines do not.
+  /// Reports once, at the start of a run, the walls that no fix continues; some engines do not report this.
   void tell_of_those_left(LAMMPS_NS::LAMMPS& engine);
 
  private:
   std::string style_;
-  std::vector<std::string> names_;  // of fixes
+  std::vector<std::string> names_;  // of the fixes
 };
 
 }  // namespace mikromakro::styles
