@@ -8,8 +8,8 @@
 
 namespace mikromakro {
 
-/// The arguments in the order that the parser expects, last one first. Marks `-.2` as a number, which the
-/// parser would take for an option. Throws on lists with empty items.
+/// The arguments in the order that the parser expects, last one first. Rewrites `-.2` as `-0.2`, since the
+/// parser would take it for an option. Throws on lists with empty items.
 std::vector<std::string> words_for_parser(const CLI::App& program, int argc, char** argv);
 
 /// Describes a parse error: 'what; expected ..., got ...', with a pointer to the help of the intended verb.

@@ -14,7 +14,8 @@ namespace mikromakro {
 /// volumes that extend more than five times as far as the discs.
 void note_volumes(const Frame& frame, const VolumeOptions& volumes, Notes& notes);
 
-/// For stresses: notes that stock engines do not list contacts with walls, if the box is not periodic.
+/// For stresses: notes that contact rows of stock engines lack contacts with walls, unless the box is
+/// periodic.
 void note_walls(const Frame& frame, const InputOptions& input, Notes& notes);
 
 /// For stresses: notes if branch vectors of the length of the radii (`--branch radius`) are too long by more
