@@ -25,8 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The temporary names that are there at present. More outputs than places are written all the same, but left
-// behind by a signal.
+// The temporary names currently in use. Outputs beyond this capacity are still written, but left behind by a
+// signal.
 std::array<std::atomic<const char*>, 256> unfinished = {};
 
 void remember(const char* name) {
@@ -43,7 +43,7 @@ void forget(const char* name) {
   }
 }
 
-// A link whose file is not there yet leads somewhere, too.
+// Follows a symbolic link even if its target does not exist yet.
 std::string target_of(const std::string& file) {
   constexpr int most_links = 40;
   fs::path path = file;
@@ -59,7 +59,7 @@ std::optional<Identity> identity_of(const std::string& file) {
   struct stat status = {};
   const bool is_output = file == "-";
   if ((is_output ? fstat(STDOUT_FILENO, &status) : stat(file.c_str(), &status)) != 0) return std::nullopt;
-  if (is_output && !S_ISREG(status.st_mode)) return std::nullopt;  // a terminal may be both
+  if (is_output && !S_ISREG(status.st_mode)) return std::nullopt;  // a terminal may be input and output
   return Identity{status.st_dev, status.st_ino};
 }
 
