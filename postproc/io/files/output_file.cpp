@@ -63,7 +63,7 @@ std::optional<Identity> identity_of(const std::string& file) {
   return Identity{status.st_dev, status.st_ino};
 }
 
-// One name for all names of a file that need not exist.
+// A unique name for a file that need not exist, however it is spelled.
 std::string full_name(const std::string& file) {
   const fs::path path = target_of(file);
   std::error_code code;
@@ -81,7 +81,7 @@ OutputFile::OutputFile(const std::string& file) : file_(file), target_(target_of
     throw bad_input({file}, "cannot write the output", "a file that can be written", std::strerror(errno));
   if (fs::exists(status) && !fs::is_regular_file(status)) return;
   temporary_ = fmt::format("{}.part{}", target_, getpid());
-  // Made at once, so that a name that cannot be written is found before a long run and not after it.
+  // Create the file at once, so that an unwritable name is found before a long run rather than after it.
   if (!std::ofstream(temporary_))
     throw bad_input({file}, "cannot write the output", "a file that can be written", std::strerror(errno));
   if (fs::exists(status)) fs::permissions(temporary_, status.permissions(), code);
