@@ -27,8 +27,8 @@ class TypesSeen {
   std::vector<std::atomic<bool>> seen_;
 };
 
-/// Throws if no disc in any frame has one of the types; notes if only some types are missing. Re-reads the
-/// frames if types are missing, since other ranks may have seen them.
+/// Throws if no frame has a disc of any of the wanted types; notes if only some types are missing. Re-reads
+/// the frames if types are missing, since other ranks may have seen them.
 void check_types(const FrameSource& source, std::string_view option, const TypesSeen& types);
 
 /// For averages whose sums are all zero: throws if the volumes contain no part of any averaged disc, and

@@ -38,8 +38,7 @@ struct BoxLoad {
   double tangential = 0;               ///< the same for |f_t|
   std::int64_t boundary_contacts = 0;  ///< with walls of any id, and with discs that are not averaged
   std::array<std::int64_t, 2> wall_contacts = {};  ///< with left or right, with bottom or top
-  std::array<std::int64_t, 2> crossings = {};  ///< contacts of averaged discs through the periodic boundary
-                                               ///< along x, y
+  std::array<std::int64_t, 2> crossings = {};      ///< averaged discs, across the boundary along x, y
   std::array<bool, 2> periodic = {};
 };
 

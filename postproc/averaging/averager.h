@@ -88,8 +88,7 @@ class Averager {
   std::unique_ptr<const Weight> weight_;
   std::unique_ptr<const Shares> shares_;  ///< of the weight in the volumes
   FieldList fields_;
-  std::vector<std::size_t> offsets_;               ///< first number of each field; the last entry is the
-                                                   ///< total
+  std::vector<std::size_t> offsets_;               ///< first number of each field, then the total
   std::vector<std::vector<std::size_t>> sources_;  ///< of each field, as indices
   AveragingOptions options_;
   Branch branch_;

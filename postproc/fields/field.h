@@ -33,8 +33,7 @@ struct DiscContact {
   Eigen::Vector2d force;   ///< f^c on the disc, N
   Eigen::Vector2d branch;  ///< l^pc, m
   double overlap = 0;      ///< m, > 0
-  double spring = 0;       ///< slip xi along t = (-n_y, n_x), the same seen from either disc; nan if not in
-                           ///< the dump
+  double spring = 0;       ///< slip xi along t = (-n_y, n_x), same for both discs; nan: not in dump
   bool with_wall = false;  ///< the partner is a wall or a disc that is not averaged
 
   Eigen::Vector2d tangent() const { return {-normal[1], normal[0]}; }

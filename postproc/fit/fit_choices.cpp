@@ -53,7 +53,7 @@ FitChoice choose(const RingProfile& profile, double r_i, const FitWay& way) {
     choice.v0 = fitted.v0;
     choice.s = fitted.s;
   } catch (const Error&) {
-    // The fit failed, as its name and nan show.
+    // This fit does not exist: v0 and s stay nan.
   }
   return choice;
 }

@@ -279,7 +279,7 @@ class Joiner {
   const ContactRules& rules_;
   ContactTolerance tolerance_;
   RowBranch branch_;
-  bool plain_ = false;  ///< rows with no columns other than those join_plain checks
+  bool plain_ = false;  ///< rows have all columns that join_plain needs, none that it ignores
   bool with_places_ = false, with_components_ = false;
 };
 

@@ -14,8 +14,7 @@ struct Column {
   std::string unit;
   std::string equation;  ///< where it is defined, e.g. "Latzel2001 Eq. 3"; "-" if there is nothing to cite
   std::string text;
-  double period = 0;  ///< for angles, in the column's unit: values that differ by it are equal; 0: not an
-                      ///< angle
+  double period = 0;  ///< period of angles, in the column's unit; 0: not an angle
 };
 
 /// Numbers, row-major.

@@ -14,8 +14,7 @@ namespace mikromakro {
 /// 2 tau = 1 + 2 sum_k rho_k, with rho_k the autocorrelation at lag k: the variance of the mean of n values
 /// is 2 tau/n times that of one value. Times are in steps of the series; uncertainties are relative.
 struct CorrelationTime {
-  double time = std::numeric_limits<double>::quiet_NaN();  ///< 2 tau of all series; nan if it cannot be
-                                                           ///< determined
+  double time = std::numeric_limits<double>::quiet_NaN();  ///< 2 tau of all series; nan: undetermined
   double uncertainty = 0;                                  ///< its standard error
   double scatter = 0;                                      ///< variation of 2 tau between series
   double unknown_scatter = 0;     ///< the part that of_series does not show, if it exceeds chance

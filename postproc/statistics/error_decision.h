@@ -38,8 +38,8 @@ ErrorDecision decide(const CorrelationTime& correlation, double count);
 double student_width(double freedom);
 
 /// The same for skewed samples: quantiles x of Student's t widen by g^2 (x^4 + 2 x^2 - 3)/18/n, relative,
-/// with the skewness g (Hall1992 on Student's t); g^2 estimated from n samples is too small by (n - 2)^2/n/(n
-/// - 1).
+/// with the skewness g (Hall1992 on Student's t); for n samples
+/// g^2 is too small by (n - 2)^2/n/(n - 1).
 double skewed_width(double square_skewness, double samples);
 
 }  // namespace mikromakro

@@ -12,8 +12,7 @@ struct ExponentialProfile {
   double s = 0;                    ///< width of the shear zone, in the unit of r
   double residual_rms = 0;         ///< sqrt(mean (v - fit)^2), in the unit of v
   std::vector<Eigen::Index> used;  ///< indices of the points that were used
-  Eigen::Matrix2Xd change;         ///< derivatives of v0 and s (rows) with respect to v of each of these
-                                   ///< points
+  Eigen::Matrix2Xd change;         ///< d(v0, s)/dv (rows) at each of these points
 };
 
 /// Points of a profile. `error` (standard error of v) may be empty: equal weights. Points with a non-finite v

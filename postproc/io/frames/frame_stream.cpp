@@ -40,7 +40,7 @@ void set_masses(RawFrame& raw, double density) {
   raw.particles_given |= mass;
 }
 
-// Allows for discs that overlap a wall slightly; a periodic boundary cuts them.
+// True for discs cut by a periodic boundary; discs overlap walls by much less.
 bool reaches_out(const Particle& disc, const Box& box) {
   constexpr double into_walls = 0.1;
   const double reach = (1 - into_walls) * disc.radius;

@@ -14,8 +14,7 @@ constexpr std::size_t number_size = 8;
 constexpr std::size_t sum_size = 4;
 constexpr std::uint64_t modulus = 65535;
 
-using Pairs = std::uint32_t __attribute__((vector_size(16)));  // of words; fits the vector registers of
-                                                               // current processors
+using Pairs = std::uint32_t __attribute__((vector_size(16)));  // of words; one vector register
 constexpr std::size_t lanes = sizeof(Pairs) / sizeof(std::uint16_t);
 
 template <typename From, typename To>
