@@ -11,7 +11,7 @@
 namespace mikromakro {
 
 struct DiscPair {
-  int first = -1;  ///< index of a disc, the smaller of the two
+  int first = -1;  ///< the smaller of the two disc indices
   int second = -1;
   double overlap = 0;      ///< a_1 + a_2 - |branch|, > 0
   Eigen::Vector2d branch;  ///< from the first disc to the image of the second, m

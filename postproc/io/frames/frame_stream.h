@@ -38,8 +38,8 @@ struct FrameSource {
   std::vector<Run> further_runs = {};               ///< read after the files above, which form the first run
   double density = 0;                               ///< areal (kg/m^2), > 0: for files without masses
   bool contacts_required = false;                   ///< a frame without contacts is an error
-  /// Scans the files first, so that repeated steps (after a restart) can be left out; without it, such steps
-  /// throw Error::Kind::steps_come_again.
+  /// Whether to scan the files first, so that repeated steps (after a restart) can be left out; without it,
+  /// such steps throw Error::Kind::steps_come_again.
   bool look_through = false;
   /// Warnings found while reading; shared by copies of the source.
   std::shared_ptr<Notes> notes = std::make_shared<Notes>();
