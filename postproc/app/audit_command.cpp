@@ -15,7 +15,7 @@ bool of_rings(const VolumeOptions& volumes) {
   return !volumes.rings.empty() || !volumes.edges.empty();
 }
 
-// With what the files say, and whether there is what is asked for.
+// Completes the options from the files, and checks that what they ask for exists.
 void complete(AuditOptions& options) {
   const FrameSource source = frame_source(options.input);
   take_height(source, options.volumes.height);

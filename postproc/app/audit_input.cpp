@@ -12,7 +12,7 @@ namespace mikromakro {
 void add_audit_options(CLI::App& app, AuditOptions& options) {
   add_input_options(app, options.input);
   add_volume_options(app, options.volumes);
-  // What is the best depends on the volumes.
+  // The best default depends on the volumes.
   options.volumes.weight.clear();
   add_weight_option(app, options.volumes,
                     "sliced (default for rings), centre (default for --grid), or a kernel of width W in m: "

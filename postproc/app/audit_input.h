@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the audits read, and their common options.
+// Input of the audits, and their common options.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -25,8 +25,8 @@ struct AuditOptions {
 
 void add_audit_options(CLI::App& app, AuditOptions& options);
 
-/// Gives the frames to `take` one after the other, and says how many there were. Throws what reading throws,
-/// and where no frame was selected.
+/// Passes the frames to `take` one by one and returns their number. Throws on read errors, and if no frame
+/// was selected.
 std::int64_t read_frames(const FrameSource& source, bool quiet,
                          const std::function<void(const Frame&)>& take);
 

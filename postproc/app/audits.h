@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The audits that `mikromakro audit` chooses from. Each prints its table and gives back its balances.
+// The audits of `mikromakro audit`. Each prints its table and returns its balances.
 #pragma once
 
 #include "app/audit_input.h"
@@ -10,8 +10,8 @@ namespace mikromakro {
 /// Torque, radial momentum, forces on discs, volume over rings.
 Balances audit_rings(const AuditOptions& options);
 
-/// Stress of the volume and of the walls, forces on discs and walls, volume, momentum of cells: over --box,
-/// --grid or, with neither, the rectangle between the walls of each frame.
+/// Stress of volume and walls, forces on discs and walls, volume, momentum of cells: over --box, --grid or,
+/// with neither, the rectangle between the walls of each frame.
 Balances audit_box(const AuditOptions& options);
 
 }  // namespace mikromakro

@@ -22,7 +22,7 @@ struct CommandOptions {
   InputOptions input;
   AverageOptions average;
   RunOptions run;
-  std::string blocks;  // file of the averages without each block of frames
+  std::string blocks;  // output file for the table without each block of frames
   bool json = false;
 };
 
@@ -36,16 +36,16 @@ void add_options(CLI::App& app, CommandOptions& options) {
                "how the standard errors were made, as JSON on standard output; with --out");
 }
 
-// The averager, and what it is to read.
+// The averager, and its input.
 struct Task {
-  AverageOptions options;  // with what the files say where they were silent
+  AverageOptions options;  // completed with the constants from the files
   std::unique_ptr<const Averager> averager;
   FrameSource source;
   std::unique_ptr<TableOutputs> outputs;  // on rank 0
-  std::unique_ptr<OutputFile> blocks;     // on rank 0, where it was asked for
+  std::unique_ptr<OutputFile> blocks;     // on rank 0, if requested
 };
 
-// The table goes elsewhere then, and there are errors.
+// --json requires that the table goes elsewhere and that there are errors.
 void check_json(const AverageOptions& options) {
   const bool table_on_stdout =
       options.out.empty() || std::find(options.out.begin(), options.out.end(), "-") != options.out.end();
@@ -56,7 +56,7 @@ void check_json(const AverageOptions& options) {
     throw bad_input({"--json"}, "there are no errors to tell of", "--error-blocks above 0", "0");
 }
 
-// Made at once, as the outputs of the table are.
+// Created at once, like the outputs of the table.
 std::unique_ptr<OutputFile> block_file(const CommandOptions& options,
                                        const std::vector<std::string>& inputs) {
   if (options.blocks.empty()) return nullptr;
@@ -81,7 +81,7 @@ Task task_of(const CommandOptions& options, const Ranks& ranks) {
   take_stiffness(files, volumes.bulk_types, task.options.fields);
   compare_friction(files, task.options.fields.numbers.friction_coefficient);
   task.averager = make_averager(task.options);
-  // A table of the blocks has as many numbers again, as such and as text.
+  // The block table holds the numbers again, as values and as text.
   const double copies = options.blocks.empty() ? 1 : 5;
   check_memory({static_cast<double>(task.averager->volume_count() * task.averager->sum_count()),
                 threads_of(options.run, ranks),

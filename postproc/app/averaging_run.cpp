@@ -17,7 +17,7 @@
 namespace mikromakro {
 namespace {
 
-// What was asked for and is not there; on rank 0.
+// Checks on rank 0 that everything requested was found.
 void check_found(const FrameSource& source, const VolumeOptions& volumes, const TypesSeen& types,
                  const Averaged& averaged) {
   if (averaged.sums.frames() == 0) throw source.no_frame_selected();
@@ -25,10 +25,10 @@ void check_found(const FrameSource& source, const VolumeOptions& volumes, const 
   if ((averaged.sums.mean() == 0).all()) check_coverage(source, volumes);
 }
 
-// Knows the pieces of one run that are given as several.
+// Detects pieces of one run that were given as several runs.
 class Continuations {
  public:
-  /// Whether the frame is the first of its run, and comes where the next one of the run before it would.
+  /// Whether the frame is the first of its run and continues the frame interval of the previous run.
   bool add(const FrameSums& frame) {
     const bool goes_on = frame.run != run_ && interval_ > 0 && frame.step > step_ &&
                          static_cast<double>(frame.step - step_) < 1.5 * static_cast<double>(interval_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One pass over the frames of the input: shared out among threads and ranks.
+// One pass over the input frames, distributed over threads and ranks.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -20,9 +20,9 @@ void add_run_options(CLI::App& app, RunOptions& options);
 
 int threads_of(const RunOptions& options, const Ranks& ranks);
 
-/// The sums that `sum` makes of the frames over `volumes`, on rank 0; the others give their part. All ranks
-/// call it together. `sums` is an empty average to fill. Rank 0 tells the notes of all. Throws what reading
-/// throws, and where no frame was selected or the volumes hold nothing.
+/// Sums the frames over `volumes` with `sum`; returns the result on rank 0, to which the other ranks
+/// contribute. Collective. `sums` is an empty average to fill. Rank 0 prints the notes of all ranks. Throws
+/// on read errors, if no frame was selected, and if the volumes contain nothing.
 Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes, const SumFrame& sum,
                         TimeAverage sums, const RunOptions& options, const Ranks& ranks);
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Below this the walls bear normal forces only.
+// Relative friction below which the walls count as frictionless.
 constexpr double smooth = 1e-12;
 
 VolumeOptions checked(const AuditOptions& options) {
@@ -30,7 +30,7 @@ VolumeOptions checked(const AuditOptions& options) {
   VolumeOptions volumes = options.volumes;
   if (volumes.weight.empty()) volumes.weight = "centre";
   if (volumes.sectors > 0 || (!volumes.grid.empty() && !volumes.box.empty()))
-    make_averager(volumes, {});  // says what is wrong
+    make_averager(volumes, {});  // throws an error that names the problem
   if (!volumes.branch.empty() && volumes.branch != "contact")
     throw bad_input({"--branch"}, "stresses balance with branches to the contact points only", "contact",
                     in_quotes(volumes.branch));
@@ -41,7 +41,7 @@ VolumeOptions checked(const AuditOptions& options) {
   return volumes;
 }
 
-// The rectangle that was asked for; none where the walls say it.
+// The requested rectangle; none if it is to be found from the walls.
 std::optional<Rectangle> given_box(const VolumeOptions& volumes) {
   const auto& box = volumes.box;
   const auto& grid = volumes.grid;
@@ -57,14 +57,14 @@ VolumeOptions one_box(const VolumeOptions& volumes, const Rectangle& box) {
   return one;
 }
 
-// V nu of all volumes of a table of rectangles.
+// V nu, summed over a table of rectangles.
 double disc_volume_of(const Table& table, double height) {
   const Eigen::ArrayXd areas = (column_of(table, "x_max") - column_of(table, "x_min")) *
                                (column_of(table, "y_max") - column_of(table, "y_min"));
   return (areas * column_of(table, "nu")).sum() * height;
 }
 
-// The sums over one frame, volume by volume, that an audit of a box consists of.
+// Accumulates, frame by frame, the sums that make up the audit of a box.
 class BoxAuditor {
  public:
   explicit BoxAuditor(const AuditOptions& options)
@@ -147,7 +147,7 @@ class BoxAuditor {
     if (!box_.has_walls()) {
       const bool judged = box_.may_have_wall(0) || box_.may_have_wall(2);
       const char* text = "no contacts with walls -1, -2, -3, -4";
-      // Other boundaries, such as rows of discs, are in the balance of the stress.
+      // Other boundaries, such as rows of discs, enter the stress balance.
       const bool other = box_.has_boundary() || !judged;
       audit.balances.push_back({"walls", nan, text, !other});
       audit.balances.push_back({"forces", nan, text, !other});

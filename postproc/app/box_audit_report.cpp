@@ -20,7 +20,7 @@ void add_stress(JsonObject& json, std::string_view name, const Eigen::Matrix2d& 
 }
 
 void print_walls(const BoxBalance& box, std::string_view unit) {
-  // n is the axis to which the wall is normal.
+  // In the header, n is the axis normal to the wall.
   fmt::print("{:>10} {:>14} {:>14} {:>14} {:>14}\n", "wall", "F_x/N", "F_y/N", fmt::format("s_xn/{}", unit),
              fmt::format("s_yn/{}", unit));
   for (int number = 0; number < box_walls; ++number) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What an audit of a box has found, as text and as JSON.
+// Results of a box audit, as text and as JSON.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace mikromakro {
 struct BoxAudit {
   AuditUnits units;
   BoxBalance box;
-  double disc_volume = 0;  // of discs with their centres inside, a frame
+  double disc_volume = 0;  // of discs with their centres inside, per frame
   std::vector<CellBalance> cells;
   Balances balances;
 };

@@ -20,7 +20,7 @@ bool is_number(const std::string& word) {
   return end != word.c_str() && *end == '\0';
 }
 
-// Digits come first in what the parser takes for a negative number.
+// The parser recognises a negative number only if a digit follows the sign.
 std::string as_value(std::string word) {
   const bool negative = word.starts_with('-') && is_number(word);
   if (negative && word[1] == '.') word.insert(1, "0");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The words that the program is started with.
+// Command-line arguments.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,11 +8,11 @@
 
 namespace mikromakro {
 
-/// As the parser takes them, last one first. `-.2` is a number, which it would take for an option. Throws at
-/// lists with empty items.
+/// The arguments in the order that the parser expects, last one first. Rewrites `-.2` as `-0.2`, since the
+/// parser would take it for an option. Throws on lists with empty items.
 std::vector<std::string> words_for_parser(const CLI::App& program, int argc, char** argv);
 
-/// What is wrong with them: 'what; expected ..., got ...', with the help of the verb that was meant.
+/// Describes a parse error: 'what; expected ..., got ...', with a pointer to the help of the intended verb.
 std::string complaint_of(const CLI::App& program, const CLI::ParseError& error);
 
 }  // namespace mikromakro

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The verbs of the program: each adds its options to the command line and gives back what to do when it is
-// chosen.
+// The verbs of the program: each adds its options to the command line and registers the action to run if it
+// is chosen.
 #pragma once
 
 #include <CLI/CLI.hpp>

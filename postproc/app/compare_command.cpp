@@ -45,9 +45,9 @@ void add_options(CLI::App& app, CompareOptions& options) {
   add_run_options(app, options.run);
 }
 
-// What is averaged in one pass.
+// The averages computed in one pass.
 struct Task {
-  VolumeOptions volumes;  // with what the files say where the options were silent, fields likewise
+  VolumeOptions volumes;  // options completed with the constants from the files; likewise the fields
   FieldChoice fields;
   std::vector<int> resolutions;
   std::vector<std::unique_ptr<const Averager>> averagers;  // all weights for each resolution
@@ -55,7 +55,7 @@ struct Task {
   std::unique_ptr<OutputFile> out;  // on rank 0, if any
 };
 
-// Names that stand in the list more than once would be compared with themselves.
+// A repeated entry would be compared with itself.
 template <typename Value>
 void check_list(const std::vector<Value>& values, std::string_view option) {
   for (auto value = values.begin(); value != values.end(); ++value) {
@@ -120,7 +120,7 @@ Task task_of(const CompareOptions& options, const Ranks& ranks) {
   return task;
 }
 
-// The sums of all averagers in one row, one behind the other.
+// The sums of all averagers concatenated in one row.
 Rows all_sums(const Task& task, const Frame& frame) {
   std::vector<double> numbers;
   for (const auto& averager : task.averagers) {
@@ -130,7 +130,7 @@ Rows all_sums(const Task& task, const Frame& frame) {
   return Eigen::Map<const Rows>(numbers.data(), 1, static_cast<Eigen::Index>(numbers.size()));
 }
 
-// And back, solved.
+// Splits such a row and computes the tables.
 Comparison compare(const CompareOptions& options, const Task& task, const Rows& mean) {
   Comparison comparison{options.weights,
                         task.resolutions,

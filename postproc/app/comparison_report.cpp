@@ -12,7 +12,7 @@
 namespace mikromakro {
 namespace {
 
-// Widths of the columns of text, so that names of any length stay apart.
+// Column widths of the text output, which fit the longest names.
 struct Widths {
   std::size_t name = 6;
   std::size_t unit = 4;
@@ -29,7 +29,7 @@ Widths widths_of(const Comparison& comparison) {
   return widths;
 }
 
-// Columns behind the coordinates, counted from the end.
+// Columns after the coordinates, indexed from the end.
 Eigen::ArrayXd column_of(const Comparison& comparison, const Rows& rows, std::size_t column) {
   const std::size_t from_end = comparison.columns.size() - column;
   return rows.col(rows.cols() - static_cast<Eigen::Index>(from_end));
@@ -39,7 +39,7 @@ std::string relative(double difference, double rms) {
   return fmt::format("{:>11.3e}", difference / rms);
 }
 
-// Indices of the resolutions, from coarse to fine.
+// Indices of the resolutions, coarse to fine.
 std::vector<std::size_t> ascending(const std::vector<int>& resolutions) {
   std::vector<std::size_t> order(resolutions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

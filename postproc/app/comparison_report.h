@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What `compare` prints and writes.
+// Output of `compare`.
 #pragma once
 
 #include <string>
@@ -17,30 +17,31 @@ struct Profile {
   Table table;
 };
 
-/// Profiles of the same columns; the first weight of each resolution is the reference.
+/// Profiles with identical columns; the first weight at each resolution is the reference.
 struct Comparison {
   std::vector<std::string> weights;
   std::vector<int> resolutions;
   std::vector<Profile> profiles;  ///< all weights for each resolution, in the order of both lists
-  std::vector<Column> columns;    ///< those behind the coordinates
-  std::vector<bool> volume_sums;  ///< for each of them, see Averager::volume_sums
+  std::vector<Column> columns;    ///< those after the coordinates
+  std::vector<bool> volume_sums;  ///< for each column, see Averager::volume_sums
 
   const Profile& at(std::size_t resolution, std::size_t weight) const {
     return profiles[resolution * weights.size() + weight];
   }
 };
 
-/// A line per column, resolution and weight: mean and largest absolute difference from the first weight, in
-/// the column's unit and over the root mean square of the reference.
+/// One line per column, resolution and weight: mean and largest absolute difference from the first weight, in
+/// the column's unit and relative to the root mean square of the reference.
 std::string differences_of_weights(const Comparison& comparison);
 
-/// For columns that are sums over V, a line per column, weight and pair of neighbouring resolutions:
-/// differences of the finer average, averaged onto the coarser volumes, from the coarser one; and of the
-/// finer one from the coarser volumes in which its volumes lie, that is what the coarser one does not show.
-/// Both over the root mean square of the coarser one. Empty for one resolution or no such columns.
+/// For columns that are sums over V, one line per column, weight and pair of adjacent resolutions: the
+/// difference between the finer average, averaged onto the coarser volumes, and the coarser one; and the
+/// difference between the finer average and the coarser volumes that contain its volumes, i.e. the detail
+/// that the coarser average misses. Both relative to the root mean square of the coarser average. Empty for
+/// one resolution or if there are no such columns.
 std::string differences_of_resolutions(const Comparison& comparison);
 
-/// All profiles one below the other, with weight and resolution in front.
+/// All profiles stacked, with leading columns for weight and resolution.
 std::string long_csv(const Preamble& preamble, const Comparison& comparison);
 
 }  // namespace mikromakro

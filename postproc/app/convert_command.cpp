@@ -17,7 +17,7 @@
 namespace mikromakro {
 namespace {
 
-constexpr const char* walls = "/walls";  // of runs; rows of frames do not hold them
+constexpr const char* walls = "/walls";  // exists in files of runs only; frames do not carry it
 
 struct ConvertOptions {
   InputOptions input;
@@ -39,7 +39,7 @@ void convert(const ConvertOptions& options) {
   file.require_regular();
   Progress progress(total_size(source.files()), options.quiet);
   SnapshotWriter writer(file.temporary(), "mikromakro " MIKROMAKRO_VERSION, options.time_step);
-  // They are said once for all frames.
+  // Constants are stored once for all frames.
   double height = 0;
   take_height(source, height);
   if (!source.snapshot_files.empty()) {

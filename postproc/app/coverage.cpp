@@ -14,9 +14,9 @@
 namespace mikromakro {
 namespace {
 
-// Discs and their types only.
+// Reads discs and their types only.
 void for_each_frame(FrameSource source, const std::function<bool(const Frame&)>& go_on) {
-  source.notes = std::make_shared<Notes>();  // all was told the first time
+  source.notes = std::make_shared<Notes>();  // the first pass has reported everything
   source.particles_needed = column_set(ParticleColumn::type) & source.particles_needed;
   FrameStream stream(source);
   Frame frame;
@@ -28,7 +28,7 @@ bool is_averaged(const Particle& particle, const std::vector<int>& types) {
   return types.empty() || std::find(types.begin(), types.end(), particle.type) != types.end();
 }
 
-// Where the averaged discs are.
+// The region occupied by the averaged discs.
 struct Extent {
   Limits x, y, r;
 

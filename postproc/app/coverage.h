@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Whether there is anything in what was asked for: types and volumes that hold no disc.
+// Checks that the requested types and volumes contain discs.
 #pragma once
 
 #include <atomic>
@@ -12,8 +12,8 @@
 
 namespace mikromakro {
 
-/// Which of the types that an option names have been seen. Any thread may look; once all are found, looking
-/// costs nothing.
+/// Which of the types named in an option have occurred. look() is thread-safe and free of cost once all types
+/// are found.
 class TypesSeen {
  public:
   explicit TypesSeen(std::vector<int> wanted);
@@ -27,16 +27,16 @@ class TypesSeen {
   std::vector<std::atomic<bool>> seen_;
 };
 
-/// Throws where no disc of all frames has one of the types; notes where some types have none. Reads the
-/// frames once more where types are missing, since other ranks may have seen them.
+/// Throws if no frame has a disc of any of the wanted types; notes if only some types are missing. Re-reads
+/// the frames if types are missing, since other ranks may have seen them.
 void check_types(const FrameSource& source, std::string_view option, const TypesSeen& types);
 
-/// For averages whose sums are all zero: throws where the volumes hold no part of any averaged disc, and says
-/// where the discs are. Reads the frames once more, up to the first one that is not empty.
+/// For averages whose sums are all zero: throws if the volumes contain no part of any averaged disc, and
+/// reports where the discs are. Re-reads the frames up to the first that is not empty.
 void check_coverage(const FrameSource& source, const VolumeOptions& volumes);
 
-/// Both, of discs and of the wheel's discs, before the frames are read: up to the first one where all is
-/// there.
+/// Both checks, for the averaged discs and those of the wheel, before the main pass: reads up to the first
+/// frame that contains everything.
 void check_before(FrameSource source, const VolumeOptions& volumes, const std::vector<int>& wheel_types);
 
 }  // namespace mikromakro

@@ -27,7 +27,7 @@ struct DrawOptions {
   std::vector<double> box, range;
   PictureStyle style;
   double height = 0;        // 0: not given
-  QuantityInfo quantity{};  // that of the style, with the unit that it has here
+  QuantityInfo quantity{};  // that of the style, with the unit used here
   bool quiet = false;
 };
 
@@ -85,7 +85,7 @@ std::string numbers_text(const std::vector<double>& numbers) {
   return fmt::format("{}", fmt::join(numbers, " "));
 }
 
-// Before --box and --range take the place of what the discs say.
+// Call before --box and --range replace the limits found from the discs.
 void check_scales(const DrawOptions& options, const PictureScales& scales, Notes& notes) {
   if (!options.box.empty() && scales.window) {
     const Box& discs = *scales.window;
@@ -137,7 +137,7 @@ void apply_options(const DrawOptions& options, PictureScales& scales) {
   }
 }
 
-// All frames are read once for scales that fit the whole sequence, then again for the pictures.
+// First pass: reads all frames to find scales that fit the whole sequence; a second pass draws them.
 std::int64_t add_frames(const FrameSource& source, const DrawOptions& options, PictureScales& scales) {
   FrameStream stream(source);
   Frame frame;
@@ -155,7 +155,7 @@ std::int64_t add_frames(const FrameSource& source, const DrawOptions& options, P
   return frames;
 }
 
-// Without a thickness the pressure is a force per length.
+// Without a thickness, pressure is force per length.
 void set_height(const FrameSource& source, DrawOptions& options) {
   take_height(source, options.height);
   PictureStyle& style = options.style;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What `info` tells about text dumps.
+// Output of `info` for text dumps.
 #pragma once
 
 #include <limits>
@@ -13,7 +13,7 @@
 
 namespace mikromakro {
 
-/// Lengths in m where the file names units that have SI values.
+/// Lengths in m if the file names units with SI values.
 struct DumpSummary {
   std::int64_t frames = 0;
   std::int64_t first_step = 0;
@@ -21,12 +21,12 @@ struct DumpSummary {
   std::int64_t fewest_rows = std::numeric_limits<std::int64_t>::max();
   std::int64_t most_rows = 0;
   DumpHeader last;
-  std::map<int, std::int64_t> counts_by_type;  ///< of the last frame; empty: no types
+  std::map<int, std::int64_t> counts_by_type;  ///< in the last frame; empty: no types
   double smallest_radius = std::numeric_limits<double>::infinity();
   double largest_radius = 0;  ///< 0: no radii
 };
 
-/// Reads the whole file; what its user must know goes to the notes.
+/// Reads the whole file; warnings go to the notes.
 DumpSummary summarise_dump(const std::string& file, const std::vector<std::string>& particle_columns,
                            Notes& notes);
 

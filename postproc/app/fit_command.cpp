@@ -27,8 +27,8 @@ struct FitOptions {
 
 constexpr std::string_view unit_of_velocity = "m/s";
 
-// Whether the rows are rings one after the other, where the table gives their edges: a row that was doubled,
-// or whose radius lies in another ring, would count wrongly without a word.
+// Checks that the rows are consecutive rings, if the table gives their edges: a repeated row, or one with a
+// radius in another ring, would silently get the wrong weight.
 void check_rings(const CsvTable& table) {
   if (!table.has("r_inner") || !table.has("r_outer")) return;
   const Eigen::ArrayXd inner = table.column("r_inner"), outer = table.column("r_outer"),
@@ -45,7 +45,7 @@ void check_rings(const CsvTable& table) {
       ++elsewhere;
     if (i == 0) continue;
     const double overlap = outer[i - 1] - inner[i];
-    constexpr double rounding = 1e-9;  // of edges that are written with fewer digits
+    constexpr double rounding = 1e-9;  // for edges written with fewer digits
     if (overlap > rounding * outer[i])
       throw bad_input(table.row_place(i), "rings overlap or are there twice",
                       fmt::format("r_inner of at least {}", outer[i - 1]), fmt::format("{}", inner[i]));
@@ -139,7 +139,7 @@ double residuals_over_errors(const RingProfile& profile, const FitReport& report
   return std::sqrt((residual / profile.error(fitted.used)).square().mean());
 }
 
-// Rings in the range with a value, but without a weight.
+// Rings in the range that have a value but no weight.
 Eigen::Index left_out(const RingProfile& profile, const FitReport& report) {
   const FitWay& way = report.way;
   return (profile.r >= way.from && profile.r <= way.to && profile.v.isFinite()).count() -

@@ -11,7 +11,7 @@
 namespace mikromakro {
 namespace {
 
-// v0, s or v0/(Omega R_i), with its error, and the choices by which it is least and greatest.
+// v0, s or v0/(Omega R_i), with its error, and the fit choices that give its smallest and largest value.
 struct Estimate {
   std::string name, key, unit;
   double value = 0, error = 0, half_width = 0;
@@ -142,7 +142,7 @@ void print_text(const FitReport& report) {
       "{}(r) = v0 exp(-(r - R_i)/s), R_i = {:.6g} m, least squares of {}, {} rings, r = {:.6g} to {:.6g} m\n",
       report.column, report.r_i, of_what(report), report.fitted.used.size(), report.first_r, report.last_r);
   const std::vector<Estimate> all = estimates(report);
-  const bool chosen = report.choices.size() > 1;  // else all was said
+  const bool chosen = report.choices.size() > 1;  // else all choices were fixed by the user
   const bool at_most = !std::isnan(report.errors.error[0]) && std::isnan(report.errors.freedom);
   for (const Estimate& one : all)
     if (!std::isnan(one.value)) print_line(one, at_most, chosen);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the fit of a profile prints.
+// Output of a profile fit.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@
 namespace mikromakro {
 
 struct FitReport {
-  std::string column, unit;  ///< that is fitted
+  std::string column, unit;  ///< the fitted column
   double r_i = 0;
   double omega = 0;
   double scale = 0;  ///< Omega R_i, nan when --omega is not given
   FitWay way;
-  double first_r = 0, last_r = 0;  ///< of the rings that are used
+  double first_r = 0, last_r = 0;  ///< of the rings used
   ExponentialProfile fitted;
   FitErrors errors;
-  double residuals_over_errors = 0;  ///< rms, nan where rings have no errors
+  double residuals_over_errors = 0;  ///< rms; nan if rings have no errors
   std::vector<FitChoice> choices;
 };
 

@@ -75,7 +75,7 @@ bool has_snapshots(const InputOptions& options) {
   return !options.snapshots.empty() || !options.snapshot_runs.empty();
 }
 
-// Lists that would name the columns of no file.
+// Rejects column lists that apply to no file.
 void check_columns(const InputOptions& options) {
   if (!options.particle_columns.empty() && has_snapshots(options))
     throw bad_input({"--particle-columns"}, "HDF5 snapshots know their columns", "--particles", "snapshots");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The options that say which frames a verb reads.
+// Options that select the frames to read.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -15,10 +15,10 @@ namespace mikromakro {
 
 struct InputOptions {
   std::vector<std::string> snapshots, particle_columns, contact_columns, wall_columns;
-  std::vector<std::vector<std::string>> particles, contacts, walls, snapshot_runs;  ///< for each run
+  std::vector<std::vector<std::string>> particles, contacts, walls, snapshot_runs;  ///< one list per run
   double density = 0;
   std::string frames, steps;
-  bool look_through = false;  ///< no option: see reading_again
+  bool look_through = false;  ///< not an option: see reading_again
   bool distant_contacts = false;
 
   bool any_contacts() const { return !contacts.empty() || !walls.empty(); }
@@ -26,21 +26,21 @@ struct InputOptions {
 
 void add_input_options(CLI::App& app, InputOptions& options);
 
-/// Names expanded, ranges parsed. Throws on patterns that match nothing, on ranges that are none, and unless
-/// there are either snapshots or dumps.
+/// Expands names and parses ranges. Throws on patterns without a match, on malformed ranges, and unless
+/// either snapshots or dumps are given.
 FrameSource frame_source(const InputOptions& options);
 
-/// Throws when contacts are needed for `what` and there are none.
+/// Throws if contacts are needed for `what` and none are given.
 void require_contacts(const InputOptions& options, std::string_view what);
 
-/// What to read for the fields of `averager`. Throws when they need contacts and none are given.
+/// What to read for the fields of `averager`. Throws if they need contacts and none are given.
 FrameSource source_of(const InputOptions& options, const Averager& averager);
 
-/// Does `read`. Where steps of text dumps come again, which is seen in their midst, it is done once more from
-/// the beginning, with the files looked through before.
+/// Runs `read`. If time steps of text dumps repeat, which shows only during reading, runs it again from the
+/// beginning after scanning the files.
 void reading_again(InputOptions& options, const std::function<void()>& read);
 
-/// Lines above a table: the inputs and how they were read.
+/// Header lines of a table: the inputs and how they were read.
 void describe_input(const InputOptions& options, const FrameSource& source, Preamble& lines);
 
 }  // namespace mikromakro

@@ -11,8 +11,8 @@
 namespace mikromakro {
 namespace {
 
-// The signal's own action comes back when its handler begins (SA_RESETHAND), so that the second one ends the
-// program as if the first had never been caught: the shell sees 128 + its number.
+// SA_RESETHAND restores the default action on entry, so re-raising the signal ends the program as if it had
+// never been caught: the shell sees 128 + its number.
 void clean_up(int number) {
   remove_unfinished_outputs();
   raise(number);
@@ -21,7 +21,7 @@ void clean_up(int number) {
 void catch_signal(int number) {
   struct sigaction before = {};
   sigaction(number, nullptr, &before);
-  if (before.sa_handler == SIG_IGN) return;  // as nohup wants it
+  if (before.sa_handler == SIG_IGN) return;  // keep a signal ignored, as set by nohup
   struct sigaction after = {};
   after.sa_handler = clean_up;
   after.sa_flags = SA_RESETHAND;
@@ -31,7 +31,7 @@ void catch_signal(int number) {
 }  // namespace
 
 void prepare_for_interrupts() {
-  // Opened the wrong way round, so that reading and writing fail there as if it were closed.
+  // Opened in the wrong direction, so that reading and writing fail as they do on a closed stream.
   if (fcntl(STDIN_FILENO, F_GETFD) == -1) open("/dev/null", O_WRONLY);
   if (fcntl(STDOUT_FILENO, F_GETFD) == -1) open("/dev/null", O_RDONLY);
   if (fcntl(STDERR_FILENO, F_GETFD) == -1) open("/dev/null", O_WRONLY);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What ends the program from outside.
+// Termination of the program from outside.
 #pragma once
 
 namespace mikromakro {
 
-/// From now on a signal that ends the program leaves no temporary file of an output behind, a file that may
-/// not grow any further (ulimit -f) is an error of writing and no signal, and files that are opened never get
-/// the number of a standard stream that the caller has closed.
+/// Installs handlers so that a terminating signal leaves no temporary output file behind, exceeding the file
+/// size limit (ulimit -f) is a write error rather than a signal, and opened files never get the descriptor of
+/// a standard stream that the caller has closed.
 void prepare_for_interrupts();
 
 }  // namespace mikromakro

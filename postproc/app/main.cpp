@@ -25,17 +25,18 @@ constexpr int exit_done = 0;
 constexpr int exit_failed = 1;
 constexpr int exit_bad_input = 2;
 
-// What the library did not make, such as a failed request for memory, has a bounded length here.
+// Limits messages that do not come from the library, such as a failed allocation.
 constexpr std::size_t longest_message = 2500;
 
-// Ranks agree on an error, and rank 0 tells it: mpirun would cut it short if another one ended with its code.
+// All ranks agree on an error, and rank 0 prints it and returns the code: mpirun would cut the message short
+// if another rank exited with one.
 int complain(const std::string& message, int code) {
   if (mikromakro::launched_rank() > 0) return exit_done;
   fmt::print(stderr, "mikromakro: {}\n", mikromakro::one_line(message, longest_message));
   return code;
 }
 
-// What was printed may still wait in memory, and a full disk show only now.
+// Buffered output may reach a full disk only here.
 int finish(int code) {
   std::cout.flush();
   const bool written = std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
@@ -45,7 +46,7 @@ int finish(int code) {
                   exit_failed);
 }
 
-// Under mpirun only rank 0 does what cannot be shared out.
+// Under mpirun, verbs that are not parallel run on rank 0 only.
 bool idle(int argc, char** argv) {
   if (mikromakro::launched_rank() == 0) return false;
   const std::string verb = argc < 2 ? "" : argv[1];
@@ -75,8 +76,8 @@ int run(int argc, char** argv) {
   return exit_done;
 }
 
-// The memory of a frame is used again for the next one; given back to the system and asked for anew, it would
-// be cleared page by page each time, a tenth of the time that reading takes.
+// Keep freed memory in the process for the next frame: memory returned to the system is cleared page by page
+// on each new request, which costs a tenth of the reading time.
 void keep_memory() {
   constexpr int largest = 1 << 30;
   mallopt(M_MMAP_THRESHOLD, 1 << 25);

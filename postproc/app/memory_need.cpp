@@ -16,7 +16,8 @@ double memory_of_machine() {
 }  // namespace
 
 void check_memory(const MemoryNeed& need, std::string_view option) {
-  // Sums of frames under way (see sum_in_order), the total with its rounding, the table with its text.
+  // In units of the sums: the compensated total and the table with its text, in addition to sums of frames in
+  // flight (see sum_in_order).
   constexpr double further = 6;
   const double bytes = sizeof(double) * need.numbers * (2.0 * need.threads + 2 + need.blocks + further);
   const double most = memory_of_machine();

@@ -20,7 +20,7 @@ struct MercurySummary {
   std::int64_t fewest_rows = std::numeric_limits<std::int64_t>::max();
   std::int64_t most_rows = 0;
   Box box;
-  std::map<int, std::int64_t> counts_by_type;  // of the last frame
+  std::map<int, std::int64_t> counts_by_type;  // in the last frame
   double smallest_radius = std::numeric_limits<double>::infinity();
   double largest_radius = 0;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What `info` tells of MercuryDPM's files.
+// Output of `info` for MercuryDPM files.
 #pragma once
 
 #include <string>

@@ -12,17 +12,17 @@
 namespace mikromakro {
 namespace {
 
-// Of a packing, which a few discs that somebody has put down are not.
+// Fewer discs may have been placed by hand and need not resemble a packing.
 constexpr std::size_t enough_for_a_packing = 20;
 
-// Every so many of all show what most are like, in each frame.
+// Stride of a sample that represents each frame.
 std::size_t stride_of(std::size_t count) {
   constexpr std::size_t enough = 128;
   return 1 + (count - 1) / enough;
 }
 
 void note_height(const Frame& frame, double height, Notes& notes) {
-  constexpr double most = 100, least = 1e-4;  // radii
+  constexpr double most = 100, least = 1e-4;  // in units of radii
   if (!(height > 0) || frame.particles.empty()) return;
   const double radius = frame.particles.front().radius;
   if (height > most * radius || height < least * radius)
@@ -37,7 +37,7 @@ void note_kernel(const Frame& frame, const VolumeOptions& volumes, Notes& notes)
               frame.step);
 }
 
-// The box around all volumes; none where no option names them.
+// Bounding box of all volumes; none if no option defines them.
 std::optional<Box> bounds_of(const VolumeOptions& volumes) {
   if (!volumes.grid.empty())
     return Box{{volumes.grid[0], volumes.grid[3]}, {volumes.grid[1], volumes.grid[4]}};
@@ -48,9 +48,9 @@ std::optional<Box> bounds_of(const VolumeOptions& volumes) {
   return Box{centre - corner, centre + corner};
 }
 
-// In mm, say, or of another system: means over volumes that are nearly empty look like any.
+// Values in mm, say, or of another system: averages over nearly empty volumes look normal.
 void note_extent(const Frame& frame, const VolumeOptions& volumes, Notes& notes) {
-  constexpr double most = 5;  // lengths of the region of the discs
+  constexpr double most = 5;  // times the extent of the discs
   const std::optional<Box> bounds = bounds_of(volumes);
   if (!bounds || frame.particles.size() < enough_for_a_packing) return;
   Eigen::AlignedBox2d discs;

@@ -7,7 +7,7 @@
 
 namespace mikromakro {
 
-/// Draws on stderr at most ten times a second; nothing where stderr is no terminal or `quiet`.
+/// Draws on stderr at most ten times per second; nothing if stderr is not a terminal or if `quiet`.
 class Progress {
  public:
   Progress(std::int64_t total_bytes, bool quiet);

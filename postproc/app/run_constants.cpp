@@ -14,7 +14,7 @@
 namespace mikromakro {
 namespace {
 
-// A number as a file holds it.
+// A constant as stored in a file.
 struct Held {
   std::string file;
   double value = 0;
@@ -33,14 +33,13 @@ std::vector<std::pair<std::string, RunConstants>> constants_of(const FrameSource
   return all;
 }
 
-// As printed with the digits of a float or fewer: options repeat what scripts say, files what engines made of
-// it.
+// Equal to single precision: options repeat the numbers of scripts, files what engines made of them.
 bool same(double a, double b) {
   constexpr double digits = 1e-6;
   return std::abs(a - b) <= digits * std::abs(a);
 }
 
-// The one number of all files; the option where it is given.
+// The value that all files agree on; a given option takes precedence.
 void settle(const std::vector<Held>& held, std::string_view option, std::string_view unit, double& value,
             Notes& notes) {
   const bool given = value > 0;
@@ -56,7 +55,7 @@ void settle(const std::vector<Held>& held, std::string_view option, std::string_
   }
 }
 
-// k_n of all pairs with an averaged disc.
+// k_n of all pairs that involve an averaged disc.
 std::set<double> stiffnesses(const RunConstants& constants, const std::vector<int>& bulk_types) {
   const auto types = static_cast<std::size_t>(
       std::lround(std::sqrt(static_cast<double>(constants.normal_stiffness.size()))));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Thickness and stiffness as snapshot files of runs hold them.
+// Thickness and stiffness as stored in the snapshot files of runs.
 #pragma once
 
 #include "io/frames/frame_stream.h"
@@ -8,23 +8,22 @@
 
 namespace mikromakro {
 
-/// Takes over the height that the files hold, where no option gives one: an option that contradicts them
-/// counts, which is noted. Throws where files contradict each other and no option decides, and on units other
-/// than SI.
+/// Takes the height from the files if no option gives it; an option that contradicts them takes precedence,
+/// with a note. Throws if files contradict each other and no option decides, and on units other than SI.
 void take_height(const FrameSource& source, double& height);
-/// The same for k_n, of the contacts of averaged discs; where it differs from pair to pair of types none is
-/// taken, which is noted where `fields` need it.
+/// The same for k_n of the contacts between averaged discs. If it differs between pairs of types none is
+/// taken, which is noted if `fields` need it.
 void take_stiffness(const FrameSource& source, const std::vector<int>& bulk_types, FieldChoice& fields);
 
-/// Notes where `mu` is given (above 0) and is not the one of a file.
+/// Notes if `mu` is given (above 0) and differs from that of a file.
 void compare_friction(const FrameSource& source, double mu);
 
-/// Throws where step * `time_step` (s; 0: not given) is not the time that the file gives the frame: the time
+/// Throws if step * `time_step` (s; 0: not given) is not the time that the file gives for the frame: the time
 /// step of its run may have changed.
 void check_time(const Frame& frame, const std::string& file, double time_step);
 
-/// Notes a frame whose time is before `last`, that of the frame before it (nan: not known), and goes on to
-/// it.
+/// Notes a frame whose time is before `last`, the time of the previous frame (nan: not known), then updates
+/// `last`.
 void note_time(const Frame& frame, double& last, Notes& notes);
 
 }  // namespace mikromakro

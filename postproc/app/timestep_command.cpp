@@ -51,14 +51,14 @@ void check(const TimestepOptions& o) {
   require(std::isnan(o.error) || o.error > 0, "--error", "a number above 0", o.error);
 }
 
-/// An impact of two of the smallest discs; with friction at 45 degrees.
+/// Impact of two discs of the smallest size; with friction, at 45 degrees.
 physics::Impact impact_of(const TimestepOptions& o) {
   const double mass = o.density * std::numbers::pi * o.radius * o.radius, m12 = mass / 2;
   const double gamma_n = !std::isnan(o.gamman) ? o.gamman
                          : std::isnan(o.restitution)
                              ? 0.0
                              : physics::damping_of_restitution(o.kn, o.restitution, m12);
-  // The linear law has the same error at any velocity; a slow impact does not turn its normal.
+  // The error of the linear law does not depend on velocity; a slow impact hardly rotates the normal.
   const double slow = 1e-3 * o.radius * std::sqrt(o.kn / m12);
   const double v_n = o.hertz ? o.velocity : slow, k_h = physics::hertz_stiffness(o.kn, o.radius / 2);
   const double duration = o.hertz ? physics::hertz_contact_duration(k_h, m12, v_n)
@@ -68,7 +68,7 @@ physics::Impact impact_of(const TimestepOptions& o) {
 }
 
 struct Finding {
-  double restitution, steps;  // of the impact; in its duration, for the wanted error
+  double restitution, steps;  // restitution of the impact; time steps in its duration for the wanted error
 };
 
 template <physics::Tangential tangential, physics::Normal normal>

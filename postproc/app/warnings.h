@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Warnings: what the reading has noted, told to the user.
+// Warnings: prints the notes collected while reading.
 #pragma once
 
 #include "io/tables/csv_writer.h"
@@ -7,10 +7,10 @@
 
 namespace mikromakro {
 
-/// One line 'mikromakro: warning: ...' on stderr for each note.
+/// Prints one line 'mikromakro: warning: ...' on stderr per note.
 void tell(const Notes& notes);
 
-/// And one line above a table.
+/// Adds one header line of a table per note.
 void describe_notes(const Notes& notes, Preamble& lines);
 
 }  // namespace mikromakro

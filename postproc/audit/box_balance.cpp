@@ -28,7 +28,7 @@ int wall_of(const Contact& contact) {
   return contact.id2 <= -1 && contact.id2 >= -box_walls ? static_cast<int>(-contact.id2) - 1 : -1;
 }
 
-// The axis along which the wall's normal points, and the end of it where the wall is.
+// Axis of the wall's normal, and whether the wall is at its upper end.
 int axis_of(int wall) {
   return wall / 2;
 }
@@ -42,10 +42,10 @@ Eigen::Vector2d contact_point(const Frame& frame, const Contact& contact, bool f
   return self.position + arm * (first ? 1 : -1) * contact.normal;
 }
 
-// Of a length that was given beside that of the box, which LIGGGHTS writes with six digits.
+// Tolerance for a given length against that of the box, which LIGGGHTS writes with six digits.
 constexpr double digits_of_dumps = 1e-5;
 
-// A contact of averaged discs whose ends are not at the same place, but at images of it.
+// Counts contacts between averaged discs whose two contact points differ by a periodic shift.
 void count_crossings(const Frame& frame, const Contact& contact, const std::vector<int>& bulk_types,
                      BoxLoad& load) {
   if (contact.with_wall() || !is_bulk(disc(frame, contact.index1), bulk_types) ||

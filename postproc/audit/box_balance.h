@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What walls do to the discs between them, beside what goes on inside: balances of a box.
+// Balances of a box: forces of the walls on the discs against the stress inside.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace mikromakro {
 
-/// A rectangle along x and y (m).
+/// An axis-aligned rectangle (m).
 struct Rectangle {
   Eigen::Vector2d low = Eigen::Vector2d::Zero();
   Eigen::Vector2d high = Eigen::Vector2d::Zero();
@@ -22,36 +22,35 @@ struct Rectangle {
 /// Left, right, bottom, top: contacts with id2 = -1, -2, -3, -4.
 inline constexpr int box_walls = 4;
 
-/// The rectangle between the four walls: each lies where its contacts are, at the mean of the contact points.
-/// Where the frame's box is periodic and neither of the two walls has a contact: from one end of the box to
-/// the other. Throws (bad input) where a wall has no contact in the frame else, or where the walls stand in
-/// no such order.
+/// The rectangle between the four walls, each at the mean of its contact points. Along a periodic axis
+/// without contacts on either wall, it spans the box. Throws (bad input) if any other wall has no contact in
+/// the frame, or if the walls are not in this order.
 Rectangle wall_rectangle(const Frame& frame);
 
 /// Sums over the contacts of one frame.
 struct BoxLoad {
   std::array<Eigen::Vector2d, box_walls> force;  ///< of each wall on the discs, N
-  /// sum f (x) (x_c - m), N m: f on the averaged discs, of walls of any id and of discs that are not averaged
-  /// (wall discs); x_c the contact point, in the middle of the overlap or, at walls, on the wall; m the
-  /// middle of the rectangle.
+  /// sum f (x) (x_c - m), N m: f acts on the averaged discs and comes from walls of any id and from discs
+  /// that are not averaged (wall discs); x_c is the contact point, in the middle of the overlap or, at walls,
+  /// on the wall; m is the centre of the rectangle.
   Eigen::Matrix2d moment;
-  double normal = 0;                   ///< sum of |f_n| of the four walls, N
-  double tangential = 0;               ///< and of |f_t|
+  double normal = 0;                   ///< sum of |f_n| over the four walls, N
+  double tangential = 0;               ///< the same for |f_t|
   std::int64_t boundary_contacts = 0;  ///< with walls of any id, and with discs that are not averaged
   std::array<std::int64_t, 2> wall_contacts = {};  ///< with left or right, with bottom or top
-  std::array<std::int64_t, 2> crossings = {};  ///< of averaged discs through the periodic boundary along x, y
+  std::array<std::int64_t, 2> crossings = {};      ///< averaged discs, across the boundary along x, y
   std::array<bool, 2> periodic = {};
 };
 
-/// Throws (bad input) where the rectangle is not as long as the period along an axis that forces cross beside
-/// one that they do not.
+/// Throws (bad input) if contact forces cross a periodic boundary along one axis only and the rectangle does
+/// not span the period along that axis.
 BoxLoad box_load(const Frame& frame, const Rectangle& box, const std::vector<int>& bulk_types);
 
-/// sum pi a^2 (m^2) of the averaged discs with their centres, or those of periodic images, in the rectangle,
-/// low edges included.
+/// sum pi a^2 (m^2) of the averaged discs whose centres, or those of their periodic images, lie in the
+/// rectangle, lower edges included.
 double disc_area_inside(const Frame& frame, const Rectangle& box, const std::vector<int>& bulk_types);
 
-/// The stress that one wall exerts, force per area of wall: the column of sigma that belongs to its normal.
+/// Stress exerted by one wall, force per wall area: the column of sigma for the wall's normal.
 struct WallStress {
   Eigen::Vector2d force;   ///< of the wall on the discs, N
   double area = 0;         ///< m^2
@@ -59,39 +58,41 @@ struct WallStress {
                            ///< top, Pa; compression is negative
 };
 
-/// Balance of a box that rests, from means over frames (docs/conventions.md). Where forces pass through a
-/// periodic boundary, the column of sigma that belongs to its normal has no boundary to be compared with;
-/// what is said below is about the other one.
+/// Balance of a box at rest, from means over frames (docs/conventions.md). If forces cross a periodic
+/// boundary, the column of sigma for its normal has no boundary to be compared with; the statements below
+/// then refer to the other column.
 class BoxBalance {
  public:
   /// Adds a frame: V sigma (N m) is the sum of f (x) l over the averaged discs with their centres in the
-  /// rectangle, with branches to the contact points. Throws (bad input) when the boundaries of the box are
-  /// not those of the frames before.
+  /// rectangle, with branch vectors to the contact points. Throws (bad input) if the boundary types of the
+  /// box differ from those of earlier frames.
   void add(const Rectangle& box, double height, const Eigen::Matrix2d& volume_times_stress,
            const BoxLoad& load);
 
   std::int64_t frames() const { return frames_; }
-  /// Means over the frames, m.
+  /// Mean over the frames, m.
   Rectangle box() const;
   /// 1/V sum f (x) l, Pa.
   Eigen::Matrix2d volume_stress() const { return inside_ / volume_; }
-  /// 1/V sum f (x) (x_c - m) over the boundary, Pa: the same in equilibrium, whatever the walls are like. nan
-  /// in columns that have no boundary.
+  /// 1/V sum f (x) (x_c - m) over the boundary, Pa: equal to volume_stress() in equilibrium, whatever the
+  /// walls are like. nan in columns that have no boundary.
   Eigen::Matrix2d boundary_stress() const;
-  /// Whether the column of sigma of this normal has no boundary: forces cross a periodic one, or it is
-  /// periodic and there is no other.
+  /// Whether the column of sigma for this normal has no boundary: forces cross a periodic one, or the axis is
+  /// periodic and there is no other boundary.
   bool is_open(int axis) const;
-  /// Whether there are contacts with a boundary, and with one of the four walls.
+  /// Whether there are contacts with any boundary, and with one of the four walls.
   bool has_boundary() const { return boundary_contacts_ > 0; }
   bool has_walls() const { return wall_contacts_[0] + wall_contacts_[1] > 0; }
-  /// Whether this one of the four can be there.
+  /// Whether this one of the four walls can exist.
   bool may_have_wall(int number) const;
   WallStress wall(int number) const;
 
-  /// Largest difference of the components of both, over the pressure -tr sigma/2 of the volume.
+  /// Largest difference between the components of the two stresses, relative to the pressure -tr sigma/2 of
+  /// the volume.
   double stress_deviation() const;
-  /// Largest difference of the normal stress of a wall and of the volume, over the pressure: 0 in equilibrium
-  /// where no wall has tangential forces. Those of its neighbours would carry a part of the load.
+  /// Largest difference between the normal stress of a wall and that of the volume, relative to the pressure:
+  /// 0 in equilibrium if no wall has tangential forces. Tangential forces of the adjacent walls would carry
+  /// part of the load.
   double wall_deviation() const;
   /// |sum of the forces of all walls| over the mean of their magnitudes.
   double wall_residual() const;

@@ -34,7 +34,7 @@ bool ContactBalance::is_wheel(const Frame& frame, const Contact& contact, int pa
   return contains(options_.wheel_types, disc(frame, particle).type);
 }
 
-// The image that lies nearest to the wheel's centre along each axis: half a period to either side.
+// The image nearest to the wheel's centre along each axis, within half a period on either side.
 Eigen::Vector2d ContactBalance::nearest_image(const Box& box, const Eigen::Vector2d& place) const {
   const Eigen::Vector2d half = 0.5 * box.length();
   std::vector<Eigen::Vector2d> images;

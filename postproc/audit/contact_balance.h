@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the contacts of snapshots say at once: torque on the wheel, and how far discs are from equilibrium.
+// Balances that follow directly from contacts: torque on the wheel, and distance of the discs from
+// equilibrium.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +17,7 @@ struct ContactBalanceOptions {
   std::vector<int> wheel_types;                      ///< types of the wheel's discs, may be empty
 };
 
-/// Means over the frames that were added.
+/// Means over the added frames.
 class ContactBalance {
  public:
   explicit ContactBalance(const ContactBalanceOptions& options) : options_(options) {}
@@ -24,12 +25,12 @@ class ContactBalance {
   void add(const Frame& frame);
 
   /// Torque of the bulk discs on the wheel about the centre, N m, counter-clockwise positive: sum over
-  /// contacts of (r_c - centre) x (-f), with f on the bulk disc and r_c the contact point (in the middle of
-  /// the overlap, at the image of the bulk disc nearest to the centre). The wheel are discs of its types and
-  /// the inner ring (id2 = 0). nan where no contact with it was ever there.
+  /// contacts of (r_c - centre) x (-f), where f acts on the bulk disc and r_c is the contact point (in the
+  /// middle of the overlap, at the image of the bulk disc nearest to the centre). The wheel consists of the
+  /// discs of its types and the inner ring (id2 = 0). nan if no contact with it was ever present.
   double wheel_torque() const;
 
-  /// Mean over bulk discs with contacts of |sum of their contact forces|, over the mean |f| of their
+  /// Mean over bulk discs with contacts of |sum of their contact forces|, relative to the mean |f| of their
   /// contacts: 0 in static equilibrium. nan without contacts.
   double force_residual() const;
 

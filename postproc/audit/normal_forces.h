@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Normal forces between discs beside what their overlaps let expect.
+// Normal forces between discs compared with those expected from the overlaps.
 #pragma once
 
 #include "model/frame.h"
 
 namespace mikromakro {
 
-/// Sums over all contacts of two discs in the frames that were added; contacts with walls do not count, which
-/// may be stiffer.
+/// Sums over all disc-disc contacts of the added frames. Contacts with walls, which may be stiffer, do not
+/// count.
 class NormalForces {
  public:
-  /// `normal_stiffness` is k_n (N/m); nan: not known.
+  /// `normal_stiffness`: k_n (N/m), nan if not known.
   explicit NormalForces(double normal_stiffness) : k_n_(normal_stiffness) {}
 
   void add(const Frame& frame);
 
-  /// sum f_n over the sum of the overlaps, N/m: k_n under a linear law, whose dashpots add nothing on the
-  /// average. nan without contacts.
+  /// sum f_n over the sum of the overlaps, N/m: equals k_n for a linear law, as dashpots average out. nan
+  /// without contacts.
   double stiffness() const { return force_ / overlap_; }
-  /// sum |f_n - k_n overlap| over sum k_n overlap: 0 at rest under a linear law, 1 where all forces are
-  /// doubled, 2 where all are reversed; dashpots scatter it. nan without contacts or k_n.
+  /// sum |f_n - k_n overlap| over sum k_n overlap: 0 at rest for a linear law, 1 if all forces are doubled, 2
+  /// if all are reversed; dashpots add scatter. nan without contacts or k_n.
   double deviation() const { return deviation_ / (k_n_ * overlap_); }
-  /// Part of sum |f_n| in contacts that pull. nan without forces.
+  /// Fraction of sum |f_n| in tensile contacts. nan without forces.
   double pulling() const { return pulling_ / magnitude_; }
   bool stiffness_is_known() const { return k_n_ > 0; }
 

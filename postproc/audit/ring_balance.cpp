@@ -14,7 +14,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// The larger one, nan when either is nan: what is not known is not balanced.
+// The larger of the two, nan if either is nan: an unknown balance must not pass.
 double larger(double a, double b) {
   return std::isnan(a) || std::isnan(b) ? nan : std::max(a, b);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Columns of a table by name.
+// Table columns by name.
 #pragma once
 
 #include <stdexcept>
@@ -9,7 +9,8 @@
 
 namespace mikromakro {
 
-/// The column of this name; the caller has asked for its field. Throws std::logic_error where it is missing.
+/// The column of this name, whose field the caller must have requested. Throws std::logic_error if it is
+/// missing.
 inline Eigen::ArrayXd column_of(const Table& table, std::string_view name) {
   for (std::size_t i = 0; i < table.columns.size(); ++i)
     if (table.columns[i].name == name) return table.rows.col(static_cast<Eigen::Index>(i));

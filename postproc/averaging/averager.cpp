@@ -9,7 +9,7 @@
 
 namespace mikromakro {
 
-// Memory used again for every disc of a frame.
+// Memory reused for every disc of a frame.
 struct Averager::Scratch {
   Bulk bulk;
   std::vector<Eigen::Vector2d> images;
@@ -27,7 +27,7 @@ Branch branch_of(Branch given, const Weight& weight) {
   return weight.is_kernel() ? Branch::contact : Branch::radius;
 }
 
-// The fields whose columns a field takes, among those before it.
+// Indices of the fields whose columns a field uses, all before it.
 std::vector<std::size_t> find_sources(const FieldList& fields, std::size_t of) {
   std::vector<std::size_t> sources;
   for (const std::string_view name : fields[of].field->sources()) {
@@ -102,7 +102,7 @@ Rows Averager::frame_sums(const Frame& frame) const {
   return sums;
 }
 
-// How far from its centre a disc or its branches may count.
+// Distance from its centre within which a disc or its branches may count.
 double Averager::reach_of(const Frame& frame, int particle, std::span<const ContactEnd> ends) const {
   const double radius = frame.particles[static_cast<std::size_t>(particle)].radius;
   const double reach = shares_->reach(radius);
@@ -119,7 +119,7 @@ void Averager::add_image(const Frame& frame, int particle, const Eigen::Vector2d
                          std::span<const ContactEnd> ends, Scratch& scratch, Rows& sums) const {
   scratch.shares.clear();
   shares_->of_disc(centre, frame.particles[static_cast<std::size_t>(particle)].radius, scratch.shares);
-  // A branch may reach where its disc does not count.
+  // A branch may extend into volumes in which its disc has no share.
   if (scratch.shares.list().empty() && !on_branches_ && !at_walls_) return;
   collect(frame, particle, centre, ends, scratch);
   for (const Share& share : scratch.shares.list()) sums.row(share.volume) += share.weight * scratch.quantity;
@@ -146,8 +146,8 @@ DiscContact Averager::contact_of(const Frame& frame, const ContactEnd& end, cons
           with_wall};
 }
 
-// V^p Q^p of one image of a disc for all fields, in the basis at its centre; without contacts that have
-// shares of their own.
+// V^p Q^p of one image of a disc for all fields, in the basis at its centre; without contacts that have their
+// own shares.
 void Averager::collect(const Frame& frame, int particle, const Eigen::Vector2d& centre,
                        std::span<const ContactEnd> ends, Scratch& scratch) const {
   const Particle& from = frame.particles[static_cast<std::size_t>(particle)];
@@ -172,7 +172,7 @@ void Averager::collect(const Frame& frame, int particle, const Eigen::Vector2d& 
   }
 }
 
-// The contacts of one disc for the fields for which they do not count where the disc is.
+// Contacts of one disc, for the fields that place them elsewhere than the disc.
 void Averager::add_placed(const Eigen::Vector2d& centre, Scratch& scratch, Rows& sums) const {
   for (const DiscContact& contact : scratch.contacts) {
     const Eigen::Vector2d branch = scratch.basis.transpose() * contact.branch;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What an averager makes of mean sums, and what it needs to make them.
+// Tables from mean sums, and the columns needed to compute them.
 #include <algorithm>
 
 #include "averaging/averager.h"
@@ -8,7 +8,7 @@
 namespace mikromakro {
 namespace {
 
-// The unit of numbers that were divided by no thickness.
+// The unit of numbers that were not divided by a thickness.
 std::string unit_without_height(const std::string& unit) {
   if (unit == "Pa") return "N/m";
   if (unit == "N/m") return "N";  // couple stress
@@ -53,7 +53,7 @@ std::vector<bool> Averager::volume_sums() const {
   return sums;
 }
 
-// What a field solves from: its sums, then the columns of its sources.
+// Input of a field: its sums, then the columns of its sources.
 Rows Averager::numbers(std::size_t field, const Rows& mean_sums, const std::vector<Rows>& solved) const {
   Eigen::Index filled = fields_[field].field->sums();
   Eigen::Index width = filled;

@@ -14,11 +14,11 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 struct PseudoValues {
   std::vector<Rows> deviations;  // of each block, from the whole
   Rows variance;
-  // Beyond rounding, and in blocks enough.
+  // Whether it varies beyond rounding, and in enough blocks.
   Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> fluctuate;
 };
 
-// Angles without a block are at most half of their period from the angle of all.
+// Wraps deviations of angles to at most half a period.
 void take_around(const std::vector<ColumnsOfField>& fields, Rows& deviations) {
   Eigen::Index begin = 0;
   for (const ColumnsOfField& field : fields) {
@@ -32,8 +32,8 @@ void take_around(const std::vector<ColumnsOfField>& fields, Rows& deviations) {
   }
 }
 
-// Blocks without a disc do not change a quotient: its deviation is 0 there. Where most blocks are such, the
-// others have to be of several visits, since a single one does not tell how the next would differ.
+// A block without a disc leaves a quotient unchanged: its deviation is 0. If most blocks are like that, the
+// others must come from several visits, since a single visit does not show how the next would differ.
 bool is_told(const std::vector<Rows>& deviations, Eigen::Index place, double least) {
   constexpr double most = 0.5;
   constexpr int fewest_visits = 8;
@@ -71,7 +71,7 @@ PseudoValues pseudo_values(const std::vector<Rows>& blocks, const Solver& solve,
   for (const Rows& block : blocks) {
     values.deviations.emplace_back(whole - solve((total - block) / (count - 1)));
     take_around(fields, values.deviations.back());
-    // One sweep: grids have a million of them.
+    // In one sweep, since grids have a million of them.
     double* const deviation = values.deviations.back().data();
     for (Eigen::Index i = 0; i < whole.size(); ++i) {
       const double one = deviation[i] *= count - 1;
@@ -84,13 +84,13 @@ PseudoValues pseudo_values(const std::vector<Rows>& blocks, const Solver& solve,
   squares /= count;
   values.variance = squares - mean.square();
   const double rounding = 2e-15 * count;
-  // Not true for nan either.
+  // False for nan as well.
   values.fluctuate = values.variance.sqrt() > rounding * (whole + mean).abs();
   leave_seldom_ones(smallest, values);
   return values;
 }
 
-// Where series that fluctuate stand among all results, one volume after the other.
+// Flat indices of the series that fluctuate, volume by volume.
 std::vector<Eigen::Index> places_of(const PseudoValues& values, Eigen::Index begin, Eigen::Index columns) {
   std::vector<Eigen::Index> places;
   for (Eigen::Index row = 0; row < values.fluctuate.rows(); ++row) {
@@ -101,7 +101,7 @@ std::vector<Eigen::Index> places_of(const PseudoValues& values, Eigen::Index beg
   return places;
 }
 
-// A row for each block, a column for each place.
+// One row per block, one column per index.
 Rows series_at(const std::vector<Eigen::Index>& places, const std::vector<Rows>& blocks) {
   Rows series(static_cast<Eigen::Index>(blocks.size()), static_cast<Eigen::Index>(places.size()));
   for (std::size_t i = 0; i < blocks.size(); ++i)
@@ -115,7 +115,7 @@ void fill(const std::vector<Eigen::Index>& places, const PseudoValues& values, c
   const auto count = static_cast<double>(values.deviations.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double time = field.correlation.of_series[static_cast<Eigen::Index>(i)];
-    // A series of its own time may be all one correlation.
+    // A single series may be correlated over its whole length.
     if (!(time < count)) continue;
     const double variance = values.variance.data()[places[i]];
     errors.error.data()[places[i]] = field.decision.widening * std::sqrt(variance * time / (count - time));
@@ -123,7 +123,8 @@ void fill(const std::vector<Eigen::Index>& places, const PseudoValues& values, c
   }
 }
 
-// Mean over the series of the sum over runs of n_r (m_r - m)^2/(2 tau s^2), per run less one.
+// Mean over the series of the sum over runs of n_r (m_r - m)^2/(2 tau s^2), divided by the number of runs
+// minus one.
 double chi_square(const Rows& series, const std::vector<std::int64_t>& runs, const Eigen::ArrayXd& time) {
   const Row mean = series.colwise().mean();
   const Row variance = (series.rowwise() - mean).square().colwise().mean() * time.transpose();

@@ -12,18 +12,18 @@ namespace {
 
 constexpr Eigen::Index own_columns = 3;
 
-// The rows of one block.
+// Stores the rows of one block.
 void put(const Rows& solved, const Eigen::Array3d& own, Eigen::Index block, Rows& rows) {
   auto part = rows.middleRows(block * solved.rows(), solved.rows());
   part.leftCols(own_columns).rowwise() = own.transpose();
   part.rightCols(solved.cols()) = solved;
 }
 
-// The numbers of one block, in all its volumes.
+// The number of one block, which must be the same in all its volumes.
 double of_block(const CsvTable& blocks, const Eigen::ArrayXd& column, Eigen::Index block,
                 Eigen::Index volumes) {
   const auto part = column.segment(block * volumes, volumes);
-  constexpr double most = 1e15;  // whole numbers are exact up to there
+  constexpr double most = 1e15;  // integers are exact up to there
   if (!(part[0] >= 0 && part[0] <= most && part[0] == std::floor(part[0])))
     throw bad_input(blocks.row_place(block * volumes), "no number of a block, a run or frames",
                     "a whole number", fmt::format("{}", part[0]));
@@ -60,7 +60,7 @@ void check_block_table(const CsvTable& blocks, const std::string& column, const 
   check_same(blocks, table, column);
 }
 
-// At the end of each run frames may be left that fill no block.
+// Each run may end with frames that do not fill a block.
 void check_complete(const CsvTable& blocks, const ColumnWithoutBlocks& read, double all) {
   const std::set<std::int64_t> runs(read.runs.begin(), read.runs.end());
   const double in_blocks = read.frames * static_cast<double>(read.runs.size());

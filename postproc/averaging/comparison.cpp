@@ -11,11 +11,11 @@
 namespace mikromakro {
 namespace {
 
-// Where volumes lie: between two limits in two directions, so that their size is the product of the lengths.
+// Extents of the volumes: limits in two coordinates, such that the volume is the product of the two lengths.
 class Extents {
  public:
   explicit Extents(const Table& table) {
-    // Areas of rings go with r^2.
+    // Ring areas are proportional to differences of r^2.
     add(table, "r_inner", "r_outer", true);
     add(table, "phi_begin", "phi_end", false);
     add(table, "x_min", "x_max", false);

@@ -9,13 +9,13 @@
 
 namespace mikromakro {
 
-/// A contact as one of its discs has it.
+/// A contact as seen from one of its discs.
 struct ContactEnd {
   int contact;  ///< index in Frame::contacts
-  bool first;   ///< whether the disc is number 1 of the row
+  bool first;   ///< whether this disc is disc 1 of the contact
 };
 
-/// Lists by disc, each in the order of the rows: the order of all later sums.
+/// Contact lists per disc, each in row order, which fixes the order of all later sums.
 class ContactLists {
  public:
   explicit ContactLists(const Frame& frame);

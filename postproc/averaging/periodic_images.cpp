@@ -12,10 +12,10 @@ namespace mikromakro {
 namespace {
 
 constexpr double most_images = 10000;
-// Of the quotient of two lengths that were meant to be the same, such as 0.3 - 0.1 and 0.2.
+// Of the ratio of two lengths meant to be equal, such as 0.3 - 0.1 and 0.2.
 constexpr double rounding = 1e-12;
 
-// The image from low to before low + period; what is there already stays as it is.
+// The image with low <= x < low + period; an x already in that range is returned unchanged.
 double wrapped(double x, double low, double period) {
   const double there = x - period * std::floor((x - low) / period);
   return there >= low && there - low < period ? there : low;
@@ -38,7 +38,7 @@ PeriodicImages::Axis PeriodicImages::axis_of(const Box& box, const Box& part, Ei
 
 PeriodicImages::Row PeriodicImages::Axis::row(double x, double reach) const {
   if (period == 0) return {x, 0, 1};
-  // So far away that rounding takes more than a millionth of the box from the place of its image.
+  // Beyond this, rounding would displace the image by more than a millionth of the box.
   constexpr double farthest = 1e9;
   if (!(std::abs(x - low) < farthest * period))
     throw bad_input({"periodic box"}, "a disc is too far away to have an image in it",
@@ -52,7 +52,7 @@ PeriodicImages::Row PeriodicImages::Axis::row(double x, double reach) const {
 
 double PeriodicImages::Axis::coordinate(const Row& row, double k, double reach) const {
   const double x = row.first + k * period;
-  // Rounding must not put an image onto the upper edge.
+  // Rounding must not place an image on the upper edge.
   return reach == 0 && whole > 0 && x >= high ? std::nextafter(high, low) : x;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where discs and contacts are once more: their images through the periodic boundaries of the box.
+// Periodic images of discs and contacts.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,20 +9,20 @@
 
 namespace mikromakro {
 
-/// The images of places that matter in a part of the plane: place + (k_x L_x, k_y L_y), k whole numbers along
-/// the axes along which the box is periodic, 0 along others. The place itself may lie outside of the box.
+/// The periodic images of positions that matter in a part of the plane: position + (k_x L_x, k_y L_y), with k
+/// any integer along periodic axes and 0 along the others. The position itself may lie outside the box.
 class PeriodicImages {
  public:
-  /// `part` is the rectangle in which something is looked at; its own flags do not matter.
+  /// `part` is the rectangle of interest; its own periodic flags are ignored.
   PeriodicImages(const Box& box, const Box& part);
 
-  /// Whether there are others than the places themselves.
+  /// Whether there are images other than the positions themselves.
   bool any() const { return any_; }
 
-  /// Replaces `images` by all that are within `reach` (m) of the part along both axes; with a reach of 0
-  /// those with low <= coordinate < high: exactly m where the part is m periods long, whatever rounding does.
-  /// Along an axis that is not periodic there is the place itself only, wherever it lies. Throws (bad input):
-  /// more than 10,000.
+  /// Replaces `images` by all that are within `reach` (m) of the part along both axes. With a reach of 0,
+  /// these are the images with low <= coordinate < high: exactly m if the part is m periods long, despite
+  /// rounding. Along a non-periodic axis only the position itself counts, wherever it lies. Throws (bad
+  /// input) for more than 10,000 images.
   void of(const Eigen::Vector2d& place, double reach, std::vector<Eigen::Vector2d>& images) const {
     images.clear();
     if (any_) {
@@ -33,7 +33,7 @@ class PeriodicImages {
   }
 
  private:
-  // From first + begin period to before first + end period.
+  // Image k is at first + k period, begin <= k < end.
   struct Row {
     double first;
     double begin;
@@ -43,7 +43,7 @@ class PeriodicImages {
     double low;
     double high;
     double period;  // 0: not periodic
-    double whole;   // periods from low to high; 0: no whole number of them
+    double whole;   // periods from low to high; 0 if not an integer
 
     Row row(double x, double reach) const;
     double coordinate(const Row& row, double k, double reach) const;

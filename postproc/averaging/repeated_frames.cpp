@@ -7,7 +7,7 @@ namespace mikromakro {
 
 bool RepeatedFrames::same(const Seen& one, const Seen& other) {
   constexpr double digits = 1e-4;
-  constexpr Eigen::Index fewest = 4;  // solid fractions alone are the same in all runs of the same discs
+  constexpr Eigen::Index fewest = 4;  // solid fractions alone agree between all runs of the same discs
   const auto differs = (one.sums - other.sums).abs() > digits * one.sizes.max(other.sizes);
   return (one.sizes > 0).count() >= fewest && (one.sums.isNaN() == other.sums.isNaN()).all() &&
          !differs.any();

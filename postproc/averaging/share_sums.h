@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The volumes in which a place counts, with their shares.
+// The volumes in which a position counts, with their shares.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ struct Share {
   double weight;
 };
 
-/// Shares, each volume once, in the order in which the volumes came. Memory is used again after clear().
+/// Shares, each volume once, in order of first occurrence. clear() keeps the memory.
 class ShareSums {
  public:
   void clear() {
@@ -35,14 +35,14 @@ class ShareSums {
     }
   }
 
-  /// To append volumes that are not yet in it, each once: no sums are needed then. Not to be mixed with
-  /// add().
+  /// For appending volumes that are not yet in the list, each once, which needs no summation. Not to be mixed
+  /// with add().
   std::vector<Share>& list() { return list_; }
   const std::vector<Share>& list() const { return list_; }
 
  private:
   std::vector<Share> list_;
-  std::vector<std::size_t> places_;  // by volume, one more than in the list; 0: not there
+  std::vector<std::size_t> places_;  // by volume, index in the list plus one; 0: not in the list
 };
 
 }  // namespace mikromakro

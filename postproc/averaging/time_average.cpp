@@ -23,7 +23,7 @@ std::size_t suitable_blocks(std::size_t numbers) {
   return std::clamp(std::bit_floor(bytes / sizeof(double) / std::max(numbers, std::size_t{1})), fewest, most);
 }
 
-/// What rounding left out of the total goes into it with the next frame (Kahan).
+/// Kahan summation: the rounding error of the total is corrected with the next frame.
 void TimeAverage::add_to_total(const Rows& frame_sums) {
   if (frames_ == 0) {
     total_ = frame_sums;
@@ -49,11 +49,11 @@ void TimeAverage::close_block() {
   blocks_.push_back(open_block_ / static_cast<double>(block_length_));
   runs_.push_back(run_);
   open_frames_ = 0;
-  // Not before one more is there, so that `most_blocks` frames are as many blocks.
+  // Merge only when one block is in excess, so that `most_blocks` frames give that many blocks.
   if (blocks_.size() > most_blocks_ && 4 * pairs() >= most_blocks_) merge_pairs();
 }
 
-// Blocks that there would be after merge_pairs.
+// Number of blocks that merge_pairs() would leave.
 std::size_t TimeAverage::pairs() const {
   std::size_t count = 0;
   for (std::size_t i = 0; i + 1 < blocks_.size(); ++i) {
@@ -73,7 +73,7 @@ void TimeAverage::merge_pairs() {
       runs.push_back(runs_[i]);
       ++i;
     } else if (i + 1 == blocks_.size()) {
-      // The odd block at the end is the first half of a longer one.
+      // An odd block at the end becomes the first half of a longer one.
       open_block_ = blocks_[i] * static_cast<double>(block_length_);
       open_frames_ = block_length_;
     }

@@ -23,7 +23,8 @@ void check(cairo_status_t status) {
                      cairo_status_to_string(status));
 }
 
-// Cairo counts the sheets of a process in this name; the same picture must be the same file.
+// Removes the surface number from the id, which Cairo counts per process: the same picture must give the same
+// file.
 void forget_count(std::string& svg) {
   const std::string name = "<g id=\"surface";
   const std::size_t at = svg.find(name);
@@ -105,7 +106,7 @@ void Canvas::text(const Pixel& at, const std::string& words, double size, Anchor
   cairo_set_font_size(context, size);
   cairo_text_extents_t extents;
   cairo_text_extents(context, words.c_str(), &extents);
-  // Heights of the font, not of these letters: texts side by side must stand on one line.
+  // Use the height of the font rather than of these letters, so that adjacent texts share a baseline.
   cairo_font_extents_t font;
   cairo_font_extents(context, &font);
   const double capital = 0.73 * font.ascent;

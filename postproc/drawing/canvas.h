@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A sheet to draw on, which becomes a PNG or SVG file.
+// A drawing surface that is saved as PNG or SVG.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,18 +14,18 @@ namespace mikromakro {
 /// A point in pixels from the upper left corner.
 using Pixel = Eigen::Vector2d;
 
-/// Where a text has the point that it is written at: 0 left (top), 0.5 middle, 1 right (bottom).
+/// Which point of a text is placed at its position: 0 left (top), 0.5 middle, 1 right (bottom).
 struct Anchor {
   double x = 0;
   double y = 0.5;
 };
 
-/// Cairo, with one call for each thing that pictures need. All lengths are in pixels.
+/// Cairo, reduced to what pictures need. All lengths are in pixels.
 class Canvas {
  public:
   enum class Kind { png, svg };
 
-  /// A white sheet. Throws when there is no memory for it.
+  /// A white canvas. Throws if it cannot be allocated.
   Canvas(Kind kind, int width, int height);
   ~Canvas();
   Canvas(const Canvas&) = delete;
@@ -35,14 +35,15 @@ class Canvas {
   void line(const Pixel& from, const Pixel& to, double width, const Colour& colour);
   void polygon(std::span<const Pixel> corners, const Colour& fill);
   void frame(const Pixel& corner, const Pixel& opposite, double width, const Colour& colour);
-  /// `upwards`: turned by 90 degrees, read from below to above.
+  /// `upwards`: rotated by 90 degrees, reading from bottom to top.
   void text(const Pixel& at, const std::string& words, double size, Anchor anchor, bool upwards = false);
 
-  /// Until `show_all`, nothing is drawn outside of the rectangle.
+  /// Clips all drawing to the rectangle, until `show_all`.
   void show_only(const Pixel& corner, const Pixel& opposite);
   void show_all();
 
-  /// The content of the file; nothing can be drawn afterwards. Throws (failed run) when Cairo cannot make it.
+  /// The content of the file; nothing can be drawn afterwards. Throws (failed run) if Cairo cannot produce
+  /// it.
   std::string encoded();
 
  private:

@@ -12,9 +12,8 @@ struct Colour {
   double alpha = 1;
 };
 
-/// The viridis map (van der Walt and Smith, matplotlib, CC0) at x, 0 to 1; values outside are those of the
-/// ends. Equal steps of x look equally far apart, also to colour-blind eyes, and lightness only grows: a
-/// print in grey can be read.
+/// The viridis map (van der Walt and Smith, matplotlib, CC0) at x, clamped to 0 to 1. Perceptually uniform,
+/// also for colour-blind readers, and monotonic in lightness, so it survives printing in grey.
 Colour viridis(double x);
 
 /// CIE lightness L*, 0 (black) to 100 (white), of an opaque sRGB colour.

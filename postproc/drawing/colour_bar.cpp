@@ -15,13 +15,13 @@ bool counts(const QuantityInfo& quantity) {
   return quantity.quantity == DiscQuantity::contacts || quantity.quantity == DiscQuantity::type;
 }
 
-// Values along the bar; whole numbers have half a unit to both sides.
+// Values along the bar; integers get a margin of half a unit on both sides.
 Limits range_of(const QuantityInfo& quantity, const ColourScale& colours) {
   const double margin = counts(quantity) ? 0.5 : 0.0;
   return {colours.low() - margin, colours.high() + margin};
 }
 
-// Where a value lies on the bar, from bottom (low) to top (high).
+// Position of values on the bar, from bottom (low) to top (high).
 struct Bar {
   double left, right, top, bottom;
   Limits range;
@@ -36,7 +36,7 @@ void fill(Canvas& canvas, const Bar& bar, const ColourScale& colours, bool block
   const double step = (bar.range.high - bar.range.low) / pieces;
   for (int i = 0; i < pieces; ++i) {
     const double low = bar.range.low + i * step;
-    // Up to the end of the bar, so that no seam shows between the pieces.
+    // Each piece extends to the end of the bar, so that no seams show.
     const double upper = blocks ? bar.y(low + step) : bar.top;
     const std::array<Pixel, 4> corners = {
         {{bar.left, bar.y(low)}, {bar.right, bar.y(low)}, {bar.right, upper}, {bar.left, upper}}};
@@ -54,7 +54,7 @@ void point(Canvas& canvas, const Bar& bar, double from, double to, const Colour&
 
 ColourScale::ColourScale(const Limits& limits) : low_(limits.low), high_(limits.high) {
   if (limits.empty()) high_ = (low_ = 0) + 1;
-  // One value only: it gets the middle of the map.
+  // A single value gets the middle of the map.
   if (low_ == high_) {
     const double side = low_ == 0 ? 1 : 0.05 * std::abs(low_);
     low_ -= side;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The scale of the colours beside a picture.
+// The colour bar of a picture.
 #pragma once
 
 #include "drawing/canvas.h"
@@ -7,7 +7,7 @@
 
 namespace mikromakro {
 
-/// Colours of a quantity's values, straight from one end of the limits to the other.
+/// Maps the values of a quantity to colours, linearly between the limits.
 class ColourScale {
  public:
   explicit ColourScale(const Limits& limits);
@@ -21,8 +21,8 @@ class ColourScale {
   double high_;
 };
 
-/// Draws the bar with round numbers, unit and label into the column between the two corners; pointed ends
-/// where values lie beyond it, blocks for whole numbers. `letter`: height of the letters (pixels).
+/// Draws the bar with round tick values, unit and label into the rectangle between the two corners; pointed
+/// ends if values lie beyond it, blocks for integers. `letter`: letter height (pixels).
 void draw_colour_bar(Canvas& canvas, const QuantityInfo& quantity, const PictureScales& scales,
                      const Pixel& corner, const Pixel& opposite, double letter);
 

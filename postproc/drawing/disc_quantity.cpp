@@ -41,7 +41,7 @@ double own_value(const Particle& particle, DiscQuantity quantity) {
   }
 }
 
-// What one contact adds to a disc that has it.
+// Contribution of one contact to a disc.
 double contact_share(const Contact& contact, const Particle& particle, DiscQuantity quantity, double height) {
   if (quantity == DiscQuantity::contacts) return 1;
   const double normal_force = -contact.force.dot(contact.normal);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What discs can be coloured by.
+// Quantities by which discs can be coloured.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@ namespace mikromakro {
 
 enum class DiscQuantity { radius, velocity, spin, pressure, contacts, type };
 
-/// A quantity with what a colour bar says about it, and what the dumps must give.
+/// A quantity with its colour bar texts and the dump columns that it needs.
 struct QuantityInfo {
   DiscQuantity quantity;
   std::string_view name;   ///< on the command line
-  std::string_view label;  ///< beside the colour bar
-  std::string_view unit;   ///< SI, empty for a number
+  std::string_view label;  ///< next to the colour bar
+  std::string_view unit;   ///< SI, empty if dimensionless
   ColumnSet particles_needed;
   ColumnSet contacts_needed;
 };
@@ -29,7 +29,7 @@ std::vector<std::string_view> disc_quantity_names();
 
 /// The quantity of each disc, in the order of the frame. SI units.
 /// pressure: p = -tr(sigma^p)/2 with sigma^p = 1/V^p sum_c l^pc f^pc (Latzel2001 Eq. 15), l = a_p n, V^p = pi
-/// a^2 h; > 0 when pressed.
+/// a^2 h; > 0 under compression.
 std::vector<double> disc_values(const Frame& frame, DiscQuantity quantity, double height);
 
 }  // namespace mikromakro

@@ -25,7 +25,7 @@ constexpr Colour compression{0.05, 0.05, 0.05, 1};
 constexpr Colour tension{0.84, 0.1, 0.11, 1};
 constexpr Colour halo{1, 1, 1, 0.75};
 
-// A chain of the mean force is this part of the mean radius wide.
+// Width of a chain that carries the mean force, in mean radii.
 constexpr double chain_width = 0.2;
 constexpr double largest_height = 30000;
 
@@ -111,7 +111,7 @@ class Painter {
     return (straight - branch).norm() > 0.5 * branch.norm() ? branch : straight;
   }
 
-  // Through a periodic boundary there is an image of it on each side.
+  // A contact across a periodic boundary is drawn on both sides.
   void contact_line(const Contact& contact, double width, const Colour& colour) {
     const Eigen::Vector2d half = 0.5 * line_of(contact);
     const Particle& first = frame_.particles[static_cast<std::size_t>(contact.index1)];
@@ -127,7 +127,7 @@ class Painter {
 
   double width_of(double force) const { return chain_width * mean_radius() * force / scales_.mean_force; }
 
-  // The strongest on top, each with a light edge, so that chains stand out from discs of any colour.
+  // Strongest on top, each with a light edge so that chains stand out from discs of any colour.
   void chains() {
     if (scales_.mean_force == 0) return;
     const auto force = [this](std::size_t i) {
@@ -167,7 +167,7 @@ class Painter {
                   {0, 0.5});
   }
 
-  // A line of a round force beside its number, once for each sign that there is.
+  // A line for a round force with its value, once for each sign that occurs.
   void chain_key() {
     const double force = round_below(2 * scales_.mean_force);
     const ScaledUnit unit = scaled_unit(force, "N");
@@ -199,7 +199,7 @@ class Painter {
   const PictureScales& scales_;
   double letter_;
   PeriodicImages images_;
-  std::vector<Eigen::Vector2d> places_;  // memory used again
+  std::vector<Eigen::Vector2d> places_;  // reused memory
   Pixel corner_, opposite_, origin_;
   double scale_ = 1;
   std::unique_ptr<Canvas> canvas_;

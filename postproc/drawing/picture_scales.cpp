@@ -24,7 +24,8 @@ Limits colour_limits(std::vector<double> values, DiscQuantity quantity) {
   return {-end, end};
 }
 
-// All discs; along an axis that is periodic the box, at whose ends discs are cut and go on at the other end.
+// Extent of all discs; along a periodic axis that of the box, where discs are cut and continue at the other
+// end.
 Box window_of(const Frame& frame) {
   Limits x;
   Limits y;

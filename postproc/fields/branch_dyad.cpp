@@ -22,7 +22,7 @@ void add_branch_dyad(std::span<const DiscContact> contacts, std::span<double> su
 Eigen::Matrix2d inverse_branch_dyad(std::span<const double> sums) {
   const double determinant = sums[0] * sums[2] - sums[1] * sums[1];
   const double largest = 0.5 * (sums[0] + sums[2] + std::hypot(sums[0] - sums[2], 2 * sums[1]));
-  // The ratio of both is determinant / largest^2; not true for no contacts (0/0) either.
+  // The ratio of the singular values is determinant / largest^2; also false for 0/0 (no contacts).
   if (!(determinant / (largest * largest) >= singular))
     return Eigen::Matrix2d::Constant(std::numeric_limits<double>::quiet_NaN());
   return (Eigen::Matrix2d() << sums[2], -sums[1], -sums[1], sums[0]).finished() / determinant;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The sum of l (x) l over contacts: what a least-squares fit over the branch vectors is solved with.
+// Sum of l (x) l over contacts: the normal matrix of least-squares fits over branch vectors.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,16 +9,17 @@
 
 namespace mikromakro {
 
-/// Numbers that the sum takes: rr, rphi, phiphi (it is symmetric).
+/// Numbers per sum: rr, rphi, phiphi (the dyad is symmetric).
 inline constexpr int branch_dyad_sums = 3;
 
-/// Adds sum_c l (x) l (m^2) of a disc. For l = a_p n it is V/(pi h) times the disc's part of F (Latzel2001
-/// Table 1), so that the least squares of Latzel2001 Eqs. 18-20 have one form for every choice of the branch
-/// vector.
+/// Adds sum_c l (x) l (m^2) of one disc. For l = a_p n this is V/(pi h) times the disc's contribution to F
+/// (Latzel2001 Table 1), so the least squares of Latzel2001 Eqs. 18-20 take one form for every choice of
+/// branch vector.
 void add_branch_dyad(std::span<const DiscContact> contacts, std::span<double> sums);
 
-/// Its inverse (1/m^2); all nan where the contacts do not span the plane: smallest below 1e-12 times the
-/// largest singular value, or no contacts. 1e-12 is far above the rounding of sums and far below any packing.
+/// Inverse of the sum (1/m^2). All nan if the contacts do not span the plane: no contacts, or the smallest
+/// singular value is below 1e-12 times the largest. 1e-12 is far above the rounding of the sums and far below
+/// the ratio in any packing.
 Eigen::Matrix2d inverse_branch_dyad(std::span<const double> sums);
 
 }  // namespace mikromakro

@@ -74,12 +74,12 @@ void ContactAngleHistogram::add_contacts(const Disc& disc, std::span<const DiscC
   for (const DiscContact& contact : contacts) {
     const double place = (angle_of(contact) + pi) / (2 * pi) * bins_;
     const auto add = [&](double bin, double part) {
-      // +180 degrees is -180 degrees.
+      // +180 degrees is the same as -180 degrees.
       const int at = (static_cast<int>(bin) + bins_) % bins_;
       quantity[1 + static_cast<std::size_t>(at)] += part * disc.volume;
     };
     quantity[0] += disc.volume;
-    // Normals of smooth walls lie on edges of bins, and rounding would choose.
+    // Normals of flat walls fall on bin edges, where rounding would decide.
     constexpr double rounding = 1e-5;
     const double edge = std::round(place);
     if (std::abs(place - edge) < rounding) {

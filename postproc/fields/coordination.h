@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Coordination number, weighted by volume.
+// Volume-weighted coordination number.
 #pragma once
 
 #include "fields/field.h"
 
 namespace mikromakro {
 
-/// C = sum_p w^p V^p C^p / sum_p w^p V^p with C^p the number of contacts of disc p; so that tr F = nu C
+/// C = sum_p w^p V^p C^p / sum_p w^p V^p, with C^p the number of contacts of disc p, so that tr F = nu C
 /// identically (Latzel2001 Eq. 10 with g_2 = 1). nan where there is no disc.
 class Coordination : public Field {
  public:

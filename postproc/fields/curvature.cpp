@@ -10,16 +10,17 @@
 namespace mikromakro {
 namespace {
 
-// Places of the sums: from springs, from forces, size of the springs, l (x) l.
+// Offsets of the sums: from springs, from forces, magnitude of the springs, l (x) l.
 constexpr int of_springs = 0;
 constexpr int of_forces = 2;
 constexpr int spring_size = 4;
 constexpr int dyad = 5;
 
-// A tangential force below this part of the force is rounding (of text dumps, too) of a law without friction.
+// A tangential force below this fraction of the force is rounding (including that of text dumps) from a law
+// without friction.
 constexpr double no_friction = 1e-9;
 
-// One choice for all volumes: a volume without tangential forces belongs to the same law as the others.
+// One choice for all volumes: a volume without tangential forces is subject to the same law as the others.
 bool has_springs(const ConstRowsRef& numbers) {
   return (numbers.col(spring_size) > 0).any();
 }

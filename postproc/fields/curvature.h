@@ -7,10 +7,10 @@
 namespace mikromakro {
 
 /// kappa = (sum_p w^p sum_c (l x Delta) (x) l) (sum_p w^p sum_c l (x) l)^-1, m (Latzel2001 Table 2, with the
-/// dimension that it has there): kappa_zr, kappa_zphi. The normal part of Delta has no torque about the
-/// centre; the tangential one is that along the elastic tangential force on the disc, Delta_t = -xi t where
-/// the law has a spring (any xi in the dumps is not 0), else f_t/k_n. note() says which was used. nan where F
-/// is singular, and everywhere where there is neither spring nor k_n.
+/// dimension given there): kappa_zr, kappa_zphi. The normal part of Delta has no moment about the centre. Its
+/// tangential part is the displacement along the elastic tangential force on the disc: Delta_t = -xi t if the
+/// law has a tangential spring (some xi in the dumps is not 0), else f_t/k_n. note() reports which was used.
+/// nan where F is singular, and everywhere if neither the spring nor k_n is known.
 class Curvature : public Field {
  public:
   explicit Curvature(double normal_stiffness) : normal_stiffness_(normal_stiffness) {}

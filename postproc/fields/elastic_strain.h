@@ -7,9 +7,9 @@
 namespace mikromakro {
 
 /// eps = (sum_p w^p sum_c Delta (x) l) (sum_p w^p sum_c l (x) l)^-1, dimensionless: the least-squares fit of
-/// eps l to the contact displacements Delta = delta n = -overlap n of all contacts of all frames (Latzel2001
-/// Eqs. 17-20; with l = a_p n the second sum is V/(pi h) F). Compression is negative. The full overlap
-/// counts, as in Latzel2001: isotropic compression gives eps = -overlap/a. nan where F is singular.
+/// eps l to the contact displacements Delta = delta n = -overlap n, over all contacts of all frames
+/// (Latzel2001 Eqs. 17-20; with l = a_p n the second sum is V/(pi h) F). Compression is negative. The full
+/// overlap counts, as in Latzel2001: isotropic compression gives eps = -overlap/a. nan where F is singular.
 class ElasticStrain : public Field {
  public:
   std::string_view name() const override { return "elastic_strain"; }

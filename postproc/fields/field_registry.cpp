@@ -68,7 +68,7 @@ struct Entry {
   bool by_default = true;
 };
 
-// A new field is added here, and nowhere else; sources before those that use them.
+// The only place to add a new field; sources precede the fields that use them.
 constexpr Entry entries[] = {
     {plain<SolidFraction>},
     {plain<Coordination>},
@@ -173,7 +173,7 @@ FieldList make_fields(const std::vector<std::string>& names, const FieldOptions&
     if (!missing.empty()) listed.shown = false;
     fields.push_back(std::move(listed));
   }
-  // Backwards, so that the sources of sources are kept too.
+  // Backwards, so that sources of sources are kept as well.
   std::vector<std::string> needed;
   for (std::size_t i = fields.size(); i-- > 0;) {
     const Field& field = *fields[i].field;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All fields by their names.
+// All fields by name.
 #pragma once
 
 #include <memory>
@@ -11,32 +11,33 @@
 
 namespace mikromakro {
 
-/// Numbers that some fields need beside the dumps; 0 where they are not given.
+/// Constants that some fields need in addition to the dumps; 0 if not given.
 struct FieldOptions {
   double normal_stiffness = 0;      ///< k_n, N/m
   double friction_coefficient = 0;  ///< mu
-  int histogram_bins = 0;           ///< of the contact angles
+  int histogram_bins = 0;           ///< number of bins of the contact angles
   bool rings = true;                ///< whether the volumes are a sequence of whole rings
 };
 
-/// A field, and whether its columns are wanted or only what other fields make of them.
+/// A field, and whether its columns are output or only serve as input of other fields.
 struct ListedField {
   std::unique_ptr<const Field> field;
   bool shown = true;
 };
 using FieldList = std::vector<ListedField>;
 
-/// Names in the order of the output's columns: first those that are averaged when no names are given.
+/// Names in the order of the output columns; the default fields, averaged when no names are given, come
+/// first.
 const std::vector<std::string_view>& field_names();
 std::vector<std::string_view> default_field_names();
-/// Those of them that have a value with these options.
+/// The default fields that can be computed with these options.
 std::vector<std::string> default_field_names(const FieldOptions& options);
-/// Those for which discs are enough.
+/// The fields that need no contacts.
 std::vector<std::string_view> field_names_without_contacts();
 
-/// The named fields, in the order of the output, with the sources that they need; the default ones for an
-/// empty list, each that the options allow for "all". Throws on an unknown name, and on a field that needs an
-/// option that is not given.
+/// The named fields in output order, together with the sources they need; an empty list gives the default
+/// fields, "all" every field that the options allow. Throws on an unknown name and on a field that requires
+/// an option that is not given.
 FieldList make_fields(const std::vector<std::string>& names, const FieldOptions& options = {});
 
 }  // namespace mikromakro

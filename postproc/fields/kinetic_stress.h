@@ -6,10 +6,10 @@
 
 namespace mikromakro {
 
-/// sigma_kin = -1/V sum_p w^p m^p v' (x) v', Pa, with v' = v^p - u and u = sum w m v / sum w m the mean
-/// velocity of the volume over all frames; by the sums, -1/V (sum w m v (x) v - (sum w m v) (x) u).
-/// Latzel2001 leaves this part out (its section 3.4 takes the static part only). The change of the mean
-/// velocity within the volume counts as fluctuation. nan where there is no disc, and everywhere when the dump
+/// sigma_kin = -1/V sum_p w^p m^p v' (x) v', Pa, with v' = v^p - u and u = sum w m v / sum w m, the mean
+/// velocity of the volume over all frames; in terms of the sums, -1/V (sum w m v (x) v - (sum w m v) (x) u).
+/// Latzel2001 omits this part (its section 3.4 takes the static part only). The variation of the mean
+/// velocity within the volume counts as fluctuation. nan where there is no disc, and everywhere if the dump
 /// has no masses.
 class KineticStress : public Field {
  public:

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Coordination number, weighted by number.
+// Number-weighted coordination number.
 #pragma once
 
 #include "fields/field.h"
 
 namespace mikromakro {
 
-/// C = sum_p w^p C^p / sum_p w^p: mean number of contacts of a disc, each disc counted by its part in the
-/// volume. It is the C of tr F = g_2 nu C (Latzel2001 Eq. 10). nan where there is no disc.
+/// C = sum_p w^p C^p / sum_p w^p: mean number of contacts per disc, each disc weighted by its fraction in the
+/// volume. This is the C of tr F = g_2 nu C (Latzel2001 Eq. 10). nan where there is no disc.
 class NumberCoordination : public Field {
  public:
   std::string_view name() const override { return "coordination_number_averaged"; }

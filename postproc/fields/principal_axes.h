@@ -6,14 +6,14 @@
 
 namespace mikromakro {
 
-/// Of a tensor T of another field: tr_T; dev_T = T_max - T_min (not halved, Latzel2001 Bild 7 b and 8 b);
+/// For a tensor T of another field: tr_T; dev_T = T_max - T_min (not halved, Latzel2001 Bild 7 b and 8 b);
 /// angle_T, the direction of the major axis, counter-clockwise from e_r in degrees, in (-90, 90]; the
-/// principal values T_major and T_minor. All of the symmetric part. The major axis is that of the largest
-/// compression for stress and strain, that of the largest value for the fabric. Angle nan where T is
-/// isotropic.
+/// principal values T_major and T_minor. All refer to the symmetric part. The major axis is that of the
+/// largest compression for stress and strain, and that of the largest value for the fabric. The angle is nan
+/// where T is isotropic.
 class PrincipalAxes : public Field {
  public:
-  /// The field with the tensor, the tensor's symbol in column names, and its unit.
+  /// The field that holds the tensor, its symbol in column names, and its unit.
   struct Tensor {
     std::string_view field_name;
     std::string_view source;

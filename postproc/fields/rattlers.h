@@ -6,8 +6,8 @@
 
 namespace mikromakro {
 
-/// Part of the discs, by number, with fewer than two contacts: one contact alone can not be balanced. (The
-/// parts by volume are 1 - nu_m/nu, Latzel2001 Bild 4.) nan where there is no disc.
+/// Number fraction of discs with fewer than two contacts, since a single contact force cannot be balanced.
+/// (The volume fractions are 1 - nu_m/nu, Latzel2001 Bild 4.) nan where there is no disc.
 class Rattlers : public Field {
  public:
   std::string_view name() const override { return "rattler_fraction"; }

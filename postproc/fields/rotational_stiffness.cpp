@@ -10,7 +10,7 @@ std::vector<Column> RotationalStiffness::columns(const Axes& /*axes*/) const {
 void RotationalStiffness::solve(const VolumeData& /*volumes*/, const ConstRowsRef& numbers,
                                 RowsRef columns) const {
   const auto squared = numbers.col(2).square() + numbers.col(3).square();
-  // 0/0 is nan, as it should be.
+  // 0/0 is nan, as intended.
   columns.col(0) = (numbers.col(0) * numbers.col(2) + numbers.col(1) * numbers.col(3)) / squared;
 }
 

@@ -6,8 +6,8 @@
 
 namespace mikromakro {
 
-/// mu_c = M.kappa/kappa.kappa, Pa: the least-squares quotient of couple stress and curvature over their two
-/// components (the paper's 'quotient of the components', in one number). nan where kappa is 0 or undefined.
+/// mu_c = M.kappa/kappa.kappa, Pa: the least-squares ratio of couple stress to curvature over their two
+/// components (the paper's 'quotient of the components', as one number). nan where kappa is 0 or undefined.
 class RotationalStiffness : public Field {
  public:
   std::string_view name() const override { return "rotational_stiffness"; }

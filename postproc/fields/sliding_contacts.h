@@ -6,9 +6,9 @@
 
 namespace mikromakro {
 
-/// Part of the contacts, by number, with |f_t| >= mu |f_n| and f_t not 0; each contact is counted by the part
-/// in the volume of each of its discs. The comparison allows for 1e-6 mu |f_n|, the digits of text dumps. nan
-/// where there is no contact.
+/// Number fraction of the contacts with |f_t| >= mu |f_n| and f_t not 0; each contact is weighted by the
+/// fraction of each of its discs in the volume. The comparison allows for 1e-6 mu |f_n|, the precision of
+/// text dumps. nan where there is no contact.
 class SlidingContacts : public Field {
  public:
   explicit SlidingContacts(double friction_coefficient) : friction_(friction_coefficient) {}

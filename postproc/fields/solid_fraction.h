@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Solid fraction nu (Latzel2001 Eq. 3) and nu_1, nu_2, nu_3 of the discs with at least 1, 2, 3 contacts
+// Solid fraction nu (Latzel2001 Eq. 3), and nu_1, nu_2, nu_3 of the discs with at least 1, 2, 3 contacts
 // (Latzel2001 Bild 4).
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace mikromakro {
 
-/// nu = 1/V sum_p w^p V^p, dimensionless; nu_m is the same sum over the discs with m or more contacts, nan
-/// where contacts are not known.
+/// nu = 1/V sum_p w^p V^p, dimensionless; nu_m is the same sum over the discs with m or more contacts, nan if
+/// contacts are not known.
 class SolidFraction : public VolumeSum {
  public:
   std::string_view name() const override { return "solid_fraction"; }

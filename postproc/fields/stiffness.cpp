@@ -8,7 +8,7 @@
 namespace mikromakro {
 namespace {
 
-// `denominator` is a part of `strain`.
+// `denominator` is an invariant (trace or deviator) of `strain`.
 double quotient(double numerator, double denominator, TensorRow strain) {
   return is_rounding(denominator, strain) ? std::numeric_limits<double>::quiet_NaN()
                                           : numerator / denominator;

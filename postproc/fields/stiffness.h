@@ -6,10 +6,9 @@
 
 namespace mikromakro {
 
-/// E = tr sigma/tr eps and G = dev sigma/dev eps, in units of k_n/h where k_n is given, else in Pa.
-/// Latzel2001 draws 2 pi E h/k_n (Bild 9) and pi G h/k_n (Bild 10). For purely elastic normal forces 2 pi E
-/// h/k_n = tr F where the fabric is isotropic (docs/conventions.md). nan where the denominator is 0 or eps
-/// undefined.
+/// E = tr sigma/tr eps and G = dev sigma/dev eps, in units of k_n/h if k_n is given, else in Pa. Latzel2001
+/// plots 2 pi E h/k_n (Bild 9) and pi G h/k_n (Bild 10). For purely elastic normal forces, 2 pi E h/k_n = tr
+/// F where the fabric is isotropic (docs/conventions.md). nan where the denominator is 0 or eps is undefined.
 class Stiffness : public Field {
  public:
   explicit Stiffness(double normal_stiffness) : normal_stiffness_(normal_stiffness) {}

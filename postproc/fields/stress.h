@@ -6,8 +6,9 @@
 
 namespace mikromakro {
 
-/// sigma = 1/V sum_p w^p sum_c f^c (x) l^pc, Pa (Latzel2001 Eq. 16). The force is the one on p and the branch
-/// points outward, so compression is negative. First index: direction of the force, second: of the branch.
+/// sigma = 1/V sum_p w^p sum_c f^c (x) l^pc, Pa (Latzel2001 Eq. 16). The force acts on p and the branch
+/// vector points outward, so compression is negative. First index: direction of the force; second: of the
+/// branch vector.
 class Stress : public VolumeSum {
  public:
   std::string_view name() const override { return "stress"; }

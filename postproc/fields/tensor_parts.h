@@ -21,19 +21,19 @@ inline double deviator(TensorRow t) {
   return std::hypot(t[0] - t[3], t[1] + t[2]);
 }
 
-/// Whether a trace or a deviator of `t` is 0 to the rounding of the sums behind it.
+/// Whether a trace or a deviator of `t` is 0 to within the rounding of the sums it was computed from.
 inline bool is_rounding(double part, TensorRow t) {
   constexpr double of_sums = 1e-12;
   return std::abs(part) <= of_sums * std::sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2] + t[3] * t[3]);
 }
 
-/// Direction of the largest principal value of the symmetric part, counter-clockwise from e_r, degrees in
-/// (-90, 90]; with `of_smallest` that of the smallest. nan where all directions are equal, to rounding.
+/// Direction of the largest principal value of the symmetric part (with `of_smallest`, of the smallest),
+/// counter-clockwise from e_r, degrees in (-90, 90]. nan if the tensor is isotropic to rounding.
 inline double principal_angle(TensorRow t, bool of_smallest) {
   if (!(deviator(t) > 0) || is_rounding(deviator(t), t)) return std::numeric_limits<double>::quiet_NaN();
   const double side = of_smallest ? -1 : 1;
   const double degrees = 90 / std::numbers::pi * std::atan2(side * (t[1] + t[2]), side * (t[0] - t[3]));
-  // atan2 gives -pi for a second argument below zero and a first one of -0.
+  // atan2 returns -pi for arguments -0 and x < 0.
   return degrees <= -90 ? 90 : degrees;
 }
 

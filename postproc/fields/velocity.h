@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Mean velocity from the current density.
+// Mean velocity, from the flux nu v.
 #pragma once
 
 #include "fields/field.h"

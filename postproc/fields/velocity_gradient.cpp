@@ -7,7 +7,7 @@
 namespace mikromakro {
 namespace {
 
-// Slope at x of the parabola through three points from i on, by Newton's divided differences.
+// Slope at x of the parabola through the three points from i on, by Newton's divided differences.
 double parabola_slope(const Eigen::ArrayXd& r, const Eigen::ArrayXd& v, Eigen::Index i, double x) {
   const double first = (v[i + 1] - v[i]) / (r[i + 1] - r[i]);
   const double second = (v[i + 2] - v[i + 1]) / (r[i + 2] - r[i + 1]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rates of deformation and rotation of the mean velocity in rings (Latzel2001 Eqs. 6-8).
+// Rates of deformation and rotation from the mean velocity in rings (Latzel2001 Eqs. 6-8).
 #pragma once
 
 #include "fields/field.h"
@@ -7,11 +7,10 @@
 namespace mikromakro {
 
 /// D_rphi = (dv_phi/dr - v_phi/r)/2, W_rphi = (dv_phi/dr + v_phi/r)/2 (Latzel2001 Eqs. 7, 8), omega_excess =
-/// omega
-/// - W_rphi (Latzel2001 Bild 11), 1/s. dv_phi/dr is the slope of the parabola through v_phi of the ring and
-/// both neighbours, at the ends of the ring and its two nearest: exact for parabolas, of order 2 for rings of
-/// any width. Two rings have one slope. nan for one ring, beside rings without discs, and where the volumes
-/// are no rings.
+/// omega - W_rphi (Latzel2001 Bild 11), 1/s. dv_phi/dr is the slope of the parabola through v_phi of the ring
+/// and its two neighbours; the first and last rings use their two nearest rings. Exact for parabolas, second
+/// order for rings of any width. Two rings share one slope. nan for a single ring, next to rings without
+/// discs, and if the volumes are not rings.
 class VelocityGradient : public Field {
  public:
   explicit VelocityGradient(bool over_rings = true) : over_rings_(over_rings) {}
@@ -26,7 +25,7 @@ class VelocityGradient : public Field {
   bool over_rings_;
 };
 
-/// dv/dr at each point as above; r ascends.
+/// dv/dr at each point, as above; r must ascend.
 Eigen::ArrayXd slopes(const Eigen::ArrayXd& r, const Eigen::ArrayXd& v);
 
 }  // namespace mikromakro

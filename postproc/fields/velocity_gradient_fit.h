@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rates of deformation and rotation of the exponential fit to the mean velocity (Latzel2001 Eq. 9).
+// Rates of deformation and rotation from the exponential fit to the mean velocity (Latzel2001 Eq. 9).
 #pragma once
 
 #include "fields/field.h"
@@ -7,8 +7,8 @@
 namespace mikromakro {
 
 /// D_rphi = -v/2 (1/s + 1/r), W_rphi = -v/2 (1/s - 1/r), 1/s, with v = v0 exp(-(r - R)/s) fitted to v_phi of
-/// all rings, each with the same weight (Latzel2001 Eq. 9 and the sentence after it). nan where the volumes
-/// are no rings or no decaying exponential fits.
+/// all rings with equal weights (Latzel2001 Eq. 9 and the sentence after it). nan if the volumes are not
+/// rings or if no decaying exponential fits.
 class VelocityGradientFit : public Field {
  public:
   explicit VelocityGradientFit(bool over_rings = true) : over_rings_(over_rings) {}

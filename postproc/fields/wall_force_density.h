@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Force of walls on discs.
+// Force of the walls on the discs.
 #pragma once
 
 #include "fields/volume_sum.h"
 
 namespace mikromakro {
 
-/// t = 1/V sum over contacts c with walls and with discs that are not averaged of w(x_c) f^c, N/m^3: the
-/// forces on the averaged discs, at the ends of the branches. It is the boundary interaction force density of
-/// Weinhart2012, and closes the balance of
-/// momentum where walls are within reach of a kernel: div sigma + t + body forces = rate of momentum (div
-/// over the second index of sigma, kinetic stress included). With the weights sliced and centre contacts
-/// count as their discs do, and it is the force of walls on the discs of V only.
+/// t = 1/V sum of w(x_c) f^c over contacts c with walls and with discs that are not averaged, N/m^3: the
+/// forces on the averaged discs, at the ends of the branches. This is the boundary interaction force density
+/// of Weinhart2012. It closes the momentum balance where walls are within reach of a kernel: div sigma + t +
+/// body forces = rate of momentum (div over the second index of sigma, kinetic stress included). With the
+/// weights sliced and centre, contacts count where their discs do, and the sum is the wall force on the discs
+/// of V only.
 class WallForceDensity : public VolumeSum {
  public:
   std::string_view name() const override { return "wall_force_density"; }

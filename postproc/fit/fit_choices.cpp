@@ -10,8 +10,8 @@
 namespace mikromakro {
 namespace {
 
-constexpr double behind_layers = 0.5;  // s
-constexpr double end_of_zone = 4;      // s
+constexpr double behind_layers = 0.5;  // in units of s
+constexpr double end_of_zone = 4;      // in units of s
 
 std::vector<FitWay> ways_of_range(const FitWay& way, const FitSaid& said) {
   if (said.way) return {way};
@@ -53,7 +53,7 @@ FitChoice choose(const RingProfile& profile, double r_i, const FitWay& way) {
     choice.v0 = fitted.v0;
     choice.s = fitted.s;
   } catch (const Error&) {
-    // There is no such fit, which its name and nan say.
+    // This fit does not exist: v0 and s stay nan.
   }
   return choice;
 }

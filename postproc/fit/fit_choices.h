@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// By how much v0 and s depend on how a profile is fitted.
+// Sensitivity of v0 and s to the choices made in a fit.
 #pragma once
 
 #include <limits>
@@ -10,22 +10,22 @@
 
 namespace mikromakro {
 
-/// A way to fit a profile, in the rings whose r is in a range.
+/// A way to fit a profile, restricted to the rings with r in a range.
 struct FitWay {
   FitOf of = FitOf::v;
   bool by_errors = false;  ///< weights 1/error^2
   double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
 };
 
-/// A profile with an error in each ring, if there are any (empty: none).
+/// A profile, with an error for each ring if there are any (else empty).
 struct RingProfile {
-  std::string name;  ///< of the table
+  std::string name;  ///< file name of the table
   Eigen::ArrayXd r, v, error;
 };
 
 ExponentialProfile fit_exponential(const RingProfile& profile, double r_i, const FitWay& way);
 
-/// What was said and is not to be varied.
+/// Choices made by the user, which are not varied.
 struct FitSaid {
   bool range = false, way = false;
 };
@@ -33,15 +33,15 @@ struct FitSaid {
 struct FitChoice {
   std::string name;
   FitWay way;
-  double v0 = std::numeric_limits<double>::quiet_NaN();  ///< nan: no such fit
+  double v0 = std::numeric_limits<double>::quiet_NaN();  ///< nan: this fit failed
   double s = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Fits of all profiles in all reasonable ways, of which none is wrong: from the first ring on, or from s/2
-/// behind R_i on, where the layers along the wheel end; to the last ring, or to 4 s, where v has fallen to
-/// v0/50; of v, of log v (to 4 s only, since the logarithm makes as much of the creep farther out as of all
-/// that is before it), and with weights 1/error^2. `way` and its s come from the fit itself; what was said is
-/// kept.
+/// Fits all profiles in all reasonable ways, none of which is wrong: from the first ring, or from s/2 beyond
+/// R_i, where the layering along the wheel ends; up to the last ring, or up to 4 s, where v has fallen to
+/// v0/50; of v, of log v (up to 4 s only, because the logarithm gives the creep farther out as much weight as
+/// everything before it), and with weights 1/error^2. `way` and its s are those of the main fit; user choices
+/// are kept.
 std::vector<FitChoice> fit_choices(const std::vector<RingProfile>& profiles, double r_i, const FitWay& way,
                                    double s, const FitSaid& said);
 

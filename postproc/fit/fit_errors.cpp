@@ -15,9 +15,9 @@ namespace {
 constexpr double confidence = 0.95;
 constexpr double normal_quantile = 1.959963984540054;
 constexpr std::int64_t enough_runs = 8;
-constexpr double enough_alike = 7;  // 1/sum share^2: as many runs of the same length
+constexpr double enough_alike = 7;  // 1/sum share^2: effective number of runs of equal length
 
-// A row for each block: v0, s, and v in the rings that are used.
+// One row per block: v0, s, and v in the rings used.
 Eigen::ArrayXXd pseudo_values(const ExponentialProfile& fitted, const ColumnWithoutBlocks& blocks,
                               const FitValues& fit) {
   const Eigen::Index count = blocks.values.cols();
@@ -35,8 +35,8 @@ Eigen::ArrayXd variances(const Eigen::ArrayXXd& series) {
   return (series.rowwise() - series.colwise().mean()).square().colwise().mean();
 }
 
-// v0, s, and the rings that fluctuate beyond rounding. Of those, where `zone`, the ones of which v0 and s are
-// told: that do a tenth or more of what the ring does that does most to one of them.
+// v0, s, and the rings that fluctuate beyond rounding. With `zone`, only the rings that determine v0 and s:
+// those contributing at least a tenth as much as the ring that contributes most to either.
 Eigen::ArrayXXd fluctuating(const Eigen::ArrayXXd& series, const ExponentialProfile& fitted, bool zone) {
   constexpr double least_part = 0.1;
   const Eigen::Index rings = series.cols() - 2;
@@ -50,7 +50,7 @@ Eigen::ArrayXXd fluctuating(const Eigen::ArrayXXd& series, const ExponentialProf
     const bool told = !zone || (parts.col(i) >= least_part * most).any();
     if (told && std::sqrt(variance[i]) > rounding[i]) chosen.push_back(2 + i);
   }
-  // All rows; Eigen::all has another name in version 5.
+  // All rows; Eigen::all was renamed in version 5.
   return series(Eigen::seqN(Eigen::Index{0}, series.rows()), chosen);
 }
 
@@ -66,9 +66,9 @@ void widen(const Eigen::Array2d& error, double freedom, FitErrors& errors) {
   errors.half_width = student_t(confidence, freedom) * error;
 }
 
-// Of independent runs with a share of all frames each; rows of `series` are their values x. With w the
-// shares, sum w (x - mean)^2/(1 - sum w^2) is the variance of a value where runs differ as packings do, and
-// more than that of the mean over sum w^2 where they differ by their frames only.
+// From independent runs, each with a share of all frames; rows of `series` are their values x. With w the
+// shares, sum w (x - mean)^2/(1 - sum w^2) is the variance of one value if runs differ as packings do, and
+// exceeds that of the mean over sum w^2 if they differ only by their frames.
 FitErrors errors_of_runs(const Eigen::ArrayXXd& series, const Eigen::ArrayXd& share) {
   const double squares = share.square().sum();
   FitErrors errors;
@@ -85,7 +85,7 @@ FitErrors errors_of_runs(const Eigen::ArrayXXd& series, const Eigen::ArrayXd& sh
   return errors;
 }
 
-// Of v0 and of s.
+// For v0 and s.
 Eigen::Array2d errors_with(const Eigen::ArrayXXd& series, const Eigen::Array2d& time, double widening) {
   const auto count = static_cast<double>(series.rows());
   return widening * (variances(series.leftCols(2)).array() * time / (count - time)).sqrt();
@@ -94,7 +94,7 @@ Eigen::Array2d errors_with(const Eigen::ArrayXXd& series, const Eigen::Array2d& 
 FitErrors errors_of_series(const Eigen::ArrayXXd& series, const ExponentialProfile& fitted,
                            const ColumnWithoutBlocks& blocks) {
   CorrelationTime all = correlation_time(fluctuating(series, fitted, false), blocks.runs);
-  // How rings differ is told by the zone.
+  // Differences between rings are accounted for by the zone.
   all.unknown_scatter = 0;
   const auto count = static_cast<double>(series.rows());
   const ErrorDecision decision = decide(all, count);
@@ -123,7 +123,7 @@ FitErrors errors_of_series(const Eigen::ArrayXXd& series, const ExponentialProfi
 }
 
 struct Runs {
-  Eigen::ArrayXXd mean;  // a row for each run
+  Eigen::ArrayXXd mean;  // one row per run
   Eigen::ArrayXd share;  // of all blocks
 };
 

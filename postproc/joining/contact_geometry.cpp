@@ -51,7 +51,7 @@ class Joiner {
     plain_ = plain_ && (with_components_ ? all(components_of_force) : true);
   }
 
-  /// False where the row is no contact.
+  /// False if the row is not a contact.
   bool join(std::size_t i, Contact& contact) const {
     if (plain_ && join_plain(rows_.rows[i], contact)) return true;
     const RowView row{rows_.rows[i], rows_.given_in(i), i};
@@ -68,7 +68,7 @@ class Joiner {
     return is_contact(row, contact, slack);
   }
 
-  /// No law of discs is made for an overlap of more than half of the smaller radius.
+  /// Contact laws for discs do not cover overlaps of more than half the smaller radius.
   bool is_deep(const Contact& contact) const {
     const double one = disc(contact.index1).radius;
     const double smaller = contact.with_wall() ? one : std::min(one, disc(contact.index2).radius);
@@ -86,8 +86,8 @@ class Joiner {
 
   const Particle& disc(int index) const { return discs_.particles[static_cast<std::size_t>(index)]; }
 
-  /// What nearly all rows of most files are, a contact of two discs with normal, overlap and force that fit,
-  /// in a few operations. False where it is anything else.
+  /// Fast path for nearly all rows of most files: a contact of two discs with consistent normal, overlap and
+  /// force. False for anything else.
   bool join_plain(const ContactRow& row, Contact& contact) const {
     contact.id1 = static_cast<std::int64_t>(row[id1]);
     contact.id2 = static_cast<std::int64_t>(row[id2]);
@@ -115,7 +115,7 @@ class Joiner {
            slack * slack;
   }
 
-  /// Normal and overlap of two discs, checked or derived; gives the tolerance.
+  /// Normal and overlap of two discs, checked or derived; returns the tolerance.
   double join_discs(const RowView& row, Contact& contact) const {
     const Particle& one = disc(contact.index1);
     const Particle& two = disc(contact.index2);
@@ -138,7 +138,7 @@ class Joiner {
     return slack;
   }
 
-  /// The same of a disc and a wall, where the row tells enough.
+  /// The same for a disc and a wall, as far as the row allows.
   double join_wall(const RowView& row, Contact& contact) const {
     const Particle& one = disc(contact.index1);
     const double told = row.has(overlap) ? row[overlap] : not_given;
@@ -163,7 +163,7 @@ class Joiner {
     return std::abs(apart.x()) <= allowed && std::abs(apart.y()) <= allowed;
   }
 
-  /// Within the digits of the force alone, as the normal is exact.
+  /// Tolerance of the force's digits only, since the normal is exact.
   static bool are_components(const ContactRow& row, const Contact& contact) {
     const double f_n = -contact.force.dot(contact.normal);
     const double f_t = contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x()));
@@ -192,7 +192,7 @@ class Joiner {
                       fmt::format("{}", row[periodic]));
   }
 
-  /// Sets what the row does not tell, checks what it tells.
+  /// Sets what the row does not give and checks what it gives.
   void check_branch(const RowView& row, const Vector2d& branch, double reach, double slack,
                     Contact& contact) const {
     const double distance = branch.norm();
@@ -219,12 +219,12 @@ class Joiner {
                     fmt::format("{:.9g} within {:.2g} m", right, slack), fmt::format("{:.9g}", told));
   }
 
-  /// Stock LIGGGHTS keeps its spring in the plane of the contact; a force along the normal, in the columns of
-  /// a spring, is none.
+  /// The spring of stock LIGGGHTS lies along the tangent; a normal force in the spring columns is not a
+  /// spring.
   void check_spring(const RowView& row, const Contact& contact) const {
     if (!row.has(column_set(shearx, sheary))) return;
     const Vector2d shear = row.place(shearx, sheary);
-    constexpr double turned = 0.05;  // by the normal since the step in which the spring was turned with it
+    constexpr double turned = 0.05;  // rotation of the normal since the spring was last rotated with it
     if (!(std::abs(shear.dot(contact.normal)) > turned * shear.norm())) return;
     throw bad_input(
         rows_.place(row.index),
@@ -238,7 +238,7 @@ class Joiner {
     contact.force = row.has(force_columns) || !row.has(components_of_force)
                         ? row.place(fx, fy)
                         : Vector2d(-row[fn] * contact.normal + row[ft] * tangent);
-    // The spring of stock LIGGGHTS is the slip of 1 against 2, too.
+    // The spring of stock LIGGGHTS is the slip of 1 against 2 as well.
     contact.spring = row.has(column_set(shearx, sheary)) && !row.has(xi)
                          ? row.place(shearx, sheary).dot(tangent)
                          : row[xi];
@@ -249,7 +249,7 @@ class Joiner {
     const Vector2d tangent(-contact.normal.y(), contact.normal.x());
     const Vector2d right(-contact.force.dot(contact.normal), contact.force.dot(tangent));
     const Vector2d told(row.has(fn) ? row[fn] : right.x(), row.has(ft) ? row[ft] : right.y());
-    // Both are rounded, to six digits at least, and turned by what a normal is off that the row does not
+    // Both are rounded, to six digits at least, and rotated by the error of a normal that the row does not
     // give.
     const double turned = row.has(normal_columns) ? 0 : 2 * slack / disc(contact.index1).radius;
     const double allowed = contact.force.lpNorm<1>() * (six_digits + turned);
@@ -279,12 +279,12 @@ class Joiner {
   const ContactRules& rules_;
   ContactTolerance tolerance_;
   RowBranch branch_;
-  bool plain_ = false;  ///< rows without anything that join_plain does not look at
+  bool plain_ = false;  ///< rows have all columns that join_plain needs, none that it ignores
   bool with_places_ = false, with_components_ = false;
 };
 
-/// Springs pull back: -f_t xi > 0. A tangential force in their columns does not, and a frame full of contacts
-/// tells.
+/// Springs pull back: -f_t xi > 0. A tangential force in their columns does not, which shows in a frame with
+/// many contacts.
 void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>& contacts) {
   constexpr std::size_t enough = 20;
   if ((rows.given & column_set(shearx, sheary)) != column_set(shearx, sheary) || contacts.size() < enough)

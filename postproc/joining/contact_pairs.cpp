@@ -14,9 +14,9 @@
 namespace mikromakro {
 namespace {
 
-// Two rows with a mesh are different sides of it when their normals differ by more than rounding and output
-// formats do; two of discs different images, which lie in quite different directions, however few digits
-// places have that normals are derived from.
+// Two contacts with a mesh are on different faces if their normals differ by more than the rounding of output
+// formats. Two contacts of a pair of discs are through different images, whose directions differ greatly, so
+// the threshold can allow for normals derived from positions with few digits.
 constexpr double same_side = 1e-3, same_image = 0.1;
 
 double reach_of(const Contact& contact, const std::vector<Particle>& discs) {
@@ -24,19 +24,20 @@ double reach_of(const Contact& contact, const std::vector<Particle>& discs) {
          discs[static_cast<std::size_t>(contact.index2)].radius;
 }
 
-// The normal of a pair as seen from its lower id, so that both orders of a pair compare.
+// Id pair in ascending order, and the normal seen from the lower id, so that both orders of a pair compare
+// equal.
 std::pair<std::int64_t, std::int64_t> pair_of(const Contact& contact) {
   return {std::min(contact.id1, contact.id2), std::max(contact.id1, contact.id2)};
 }
 Eigen::Vector2d ordered_normal(const Contact& contact) {
-  // Of a disc that touches its own image both sides are one contact.
+  // For a disc that touches its own image, both sides are one contact.
   const bool upwards = contact.normal.x() > 0 || (contact.normal.x() == 0 && contact.normal.y() > 0);
   const bool as_it_is = contact.id1 == contact.id2 ? upwards : contact.id1 < contact.id2;
   return as_it_is ? contact.normal : Eigen::Vector2d(-contact.normal);
 }
 
-// Whether surely no disc touches itself (by both of its images, perhaps) and no pair is there twice, in one
-// pass over a table of hashes. That two pairs of 2^64 share one is rare, and costs time only.
+// True only if certainly no disc touches itself (possibly through both of its images) and no pair is
+// repeated; one pass over a hash table. A collision among 2^64 hashes is rare, and costs only time.
 bool all_pairs_differ(const std::vector<Contact>& contacts) {
   const std::size_t places = std::bit_ceil(2 * contacts.size() + 1);
   constexpr std::uint64_t nobody = 0;

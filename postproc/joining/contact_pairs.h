@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Each pair once.
+// Checks that each pair is listed once.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace mikromakro {
 
-/// Throws: a pair listed twice (unless through different periodic images; a disc may touch a mesh at several
-/// sides). Contact k is that of row row_of[k].
+/// Throws on a pair that is listed twice, except through different periodic images or on several faces of a
+/// mesh. Contact k comes from row row_of[k].
 void check_pairs(const std::vector<Contact>& contacts, const std::vector<std::size_t>& row_of,
                  const ContactRows& rows, const std::vector<Particle>& discs, const Box& box);
 

@@ -11,9 +11,9 @@ namespace {
 
 using enum ContactColumn;
 
-// Sums and differences of coordinates, and lengths of the box that are added to them.
+// Relative error of sums and differences of coordinates and box lengths.
 constexpr double arithmetic = 1e-14;
-// Normals must have length 1 within this, and radii are inputs, often short ones.
+// Normals must have unit length to within this; radii are inputs, often with few digits.
 constexpr double six_digits = 5e-6;
 
 template <typename Rows, typename Add>
@@ -46,7 +46,7 @@ ContactTolerance::ContactTolerance(const ContactRows& rows, const std::vector<Pa
   }
   const double size = farthest.maxCoeff() + radius;
   disc_place_ = std::isnan(place_error) ? places.rounding(size) : place_error;
-  // Rows may have places of images, a diameter outside of a periodic box.
+  // Rows may give positions of images, up to a diameter outside a periodic box.
   const double of_box = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff() + 2 * radius;
   row_place_ = row_places.rounding(box.periodic[0] || box.periodic[1] ? std::max(size, of_box) : size);
   normal_ = std::min(normals.rounding(1), six_digits);

@@ -23,19 +23,19 @@ double largest_radius(const std::vector<Particle>& discs) {
   return largest;
 }
 
-// The cells of a grid that a disc may reach, along one axis.
+// The grid cells that a disc may overlap along one axis.
 struct Cells {
   std::int64_t begin = 0, count = 1;
 };
 
-// A grid without end, in which each disc stands in all the cells that its bounding square reaches; along a
-// periodic axis the cells are those of the box. Far cells may share a bucket, which costs time only.
+// An unbounded grid in which each disc is listed in all cells that its bounding square overlaps; along a
+// periodic axis the cells are those of the box. Distant cells may share a hash bucket, which costs only time.
 class Grid {
  public:
   Grid(const std::vector<Particle>& discs, const Box& box) : low_(box.low) {
     double sum = 0;
     for (const Particle& disc : discs) sum += disc.radius;
-    // A disc among much smaller ones would stand in thousands of cells.
+    // Limits the cells of a large disc among much smaller ones, which would otherwise be thousands.
     constexpr double most_cells_across = 16;
     const double mean = sum / static_cast<double>(std::max<std::size_t>(1, discs.size()));
     const double wanted = std::max(4 * mean, 2 * largest_radius(discs) / most_cells_across);
@@ -50,7 +50,7 @@ class Grid {
     entries_.reserve(4 * discs.size());
   }
 
-  /// Puts a disc into its cells and visits those that are there already, once for each cell.
+  /// Inserts a disc into its cells and visits the discs already there, once per cell.
   template <typename Visit>
   void add(int index, const Particle& disc, Visit visit) {
     const Cells along_x = cells_of(disc, 0), along_y = cells_of(disc, 1);
@@ -67,7 +67,7 @@ class Grid {
  private:
   struct Entry {
     int index;   // of a disc
-    int before;  // the entry before it in its bucket, -1: none
+    int before;  // previous entry of the same bucket, -1 if none
   };
 
   Cells cells_of(const Particle& disc, Eigen::Index axis) const {
@@ -97,18 +97,18 @@ class Grid {
 
   Vector2d low_;
   Vector2d cell_ = Vector2d::Zero();
-  Eigen::Matrix<std::int64_t, 2, 1> around_ = {0, 0};  // cells of the box
-  std::vector<int> last_;                              // entry of each bucket, -1: none
+  Eigen::Matrix<std::int64_t, 2, 1> around_ = {0, 0};  // number of cells in the box
+  std::vector<int> last_;                              // last entry of each bucket, -1 if none
   std::vector<Entry> entries_;
 };
 
-// Visits each pair of discs that overlap, once for each image that does.
+// Visits each pair of overlapping discs, once for each image that overlaps.
 template <typename Visit>
 void visit_overlaps(const std::vector<Particle>& discs, const Box& box, Visit visit) {
   Grid grid(discs, box);
   const BranchImages images(box);
   const bool several = images.several_within(2 * largest_radius(discs));
-  std::vector<int> seen_by(discs.size(), -1);  // as two discs may share several cells
+  std::vector<int> seen_by(discs.size(), -1);  // two discs may share several cells
   for (int i = 0; i < std::ssize(discs); ++i) {
     const Particle& two = discs[static_cast<std::size_t>(i)];
     grid.add(i, two, [&](int j) {
@@ -125,14 +125,14 @@ void visit_overlaps(const std::vector<Particle>& discs, const Box& box, Visit vi
     });
     if (several)
       images.visit_within(2 * two.radius, Vector2d::Zero(), [&](const Vector2d& branch) {
-        // Of its own images a disc touches two at a time, in one contact.
+        // A disc touches its own images in opposite pairs, each of which is one contact.
         const bool first_half = branch.x() > 0 || (branch.x() == 0 && branch.y() > 0);
         if (first_half) visit(DiscPair{i, i, 2 * two.radius - branch.norm(), branch});
       });
   }
 }
 
-// The contacts of each disc by their partners, under the smaller index of both.
+// The contacts of each pair of discs, listed under the smaller index of the two.
 class Listed {
  public:
   Listed(const std::vector<Contact>& contacts, std::size_t discs)
@@ -149,7 +149,7 @@ class Listed {
     pairs([&](std::size_t first, std::size_t contact) { of_disc_[next[first]++] = contact; });
   }
 
-  /// Whether a contact names both discs, and points to that image of the second.
+  /// Whether a contact names both discs and points to this image of the second.
   bool has(const DiscPair& pair) const {
     const auto first = static_cast<std::size_t>(pair.first);
     const auto of_disc = std::span(of_disc_).subspan(begin_[first], begin_[first + 1] - begin_[first]);

@@ -9,7 +9,7 @@ namespace mikromakro {
 
 namespace {
 
-// Of every so many contacts.
+// Sums over a sample of contacts.
 struct Push {
   double pushing = 0;  // sum f_n
   double all = 0;      // sum |f|
@@ -40,7 +40,7 @@ void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules
       some.all == 0 && std::all_of(contacts.begin(), contacts.end(),
                                    [](const Contact& contact) { return contact.force.isZero(0); });
   if (none) rules.notes->add("all forces are 0 though discs overlap (another column?)", rules.step);
-  // A few collisions may carry most of the force, so that some contacts are not like all.
+  // A few collisions may carry most of the force, so the sample need not be representative.
   if (some.is_none() && push_of(contacts, 1).is_none())
     rules.notes->add(
         "contacts pull on the whole, or their forces are across (ids or columns exchanged? forces on the "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forces of a frame as a whole: what no single row can tell.
+// Plausibility of the forces of a whole frame, which no single row can show.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,16 @@
 
 namespace mikromakro {
 
-/// Notes where all forces are 0 though discs overlap, and where forces do not push: with f_n = -f.n of each
-/// contact, sum f_n < sum |f|/4; of few contacts, in which a dashpot may pull, sum f_n < -sum |f|/4. Discs
-/// that only touch push, and friction turns their forces by less than 45 degrees; exchanged ids or columns
-/// turn all of them. Looks at some contacts of each frame, at all where these do not push. Nothing where
-/// forces are not given (nan).
+/// Notes if all forces are 0 although discs overlap, and if forces do not push: with f_n = -f.n of each
+/// contact, sum f_n < sum |f|/4; for few contacts, where a dashpot may pull, sum f_n < -sum |f|/4. Discs that
+/// merely touch push, and friction turns their forces by less than 45 degrees, whereas swapped ids or columns
+/// turn all of them. Samples some contacts of each frame, and checks all of them if the sample does not push.
+/// Does nothing if forces are not given (nan).
 void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules);
 
-/// Notes overlaps that no row tells and that are, on average, less than a third of what the coordinates they
-/// are derived from have lost: strain and stiffness are then those of digits. Nothing where no field needs
-/// overlaps.
+/// Notes if overlaps are derived from coordinates (no column gives them) and are on average less than a third
+/// of the rounding error of these: strain and stiffness would then be rounding noise. Does nothing if no
+/// field needs overlaps.
 void note_derived_overlaps(const RawFrame& raw, const std::vector<Contact>& contacts,
                            const ContactRules& rules);
 

@@ -39,8 +39,8 @@ Vector2d RowBranch::by_places(const RowView& row, double reach, double slack) co
   return branch.norm() <= reach + slack ? branch : images_.nearest(branch);
 }
 
-// The partner is an image, or stands where it is: the normal tells, or the overlap. Without them, or where
-// the overlap is that of both, it is the image, as on one rank.
+// The partner is an image, or not shifted: the normal decides, or the overlap. Without them, or if the
+// overlap fits both, it is the image, as on a single rank.
 Vector2d RowBranch::direct_or_image(const RowView& row, const Vector2d& branch, double reach,
                                     double slack) const {
   if (row.has(normal_columns)) return by_normal(row, branch, reach);
@@ -60,8 +60,8 @@ Vector2d RowBranch::direct_or_image(const RowView& row, const Vector2d& branch, 
   return fitting == 0 && direct_fits ? branch : only;
 }
 
-// Of places that are in the box, wrapped perhaps, in one that is hardly wider than two discs: what the rest
-// of the row tells.
+// For positions inside the box, possibly wrapped, in a box hardly wider than two discs: the rest of the row
+// decides.
 Vector2d RowBranch::touching_image(const RowView& row, const Vector2d& branch, double reach,
                                    double slack) const {
   if (row.has(normal_columns)) return by_normal(row, branch, reach);

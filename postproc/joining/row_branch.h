@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which image of a disc a row of contacts means.
+// Which periodic image of a disc a contact row refers to.
 #pragma once
 
 #include "joining/contact_tolerance.h"
@@ -8,11 +8,11 @@
 
 namespace mikromakro {
 
-/// One row with the columns that it has.
+/// One row with its available columns.
 struct RowView {
   const ContactRow& numbers;
   ColumnSet given;
-  std::size_t index;  ///< of all rows of the frame
+  std::size_t index;  ///< among all rows of the frame
 
   double operator[](ContactColumn column) const { return numbers[column]; }
   bool has(ColumnSet columns) const { return (columns & ~given) == 0; }
@@ -20,11 +20,11 @@ struct RowView {
   Eigen::Vector2d place(ContactColumn x, ContactColumn y) const { return {numbers[x], numbers[y]}; }
 };
 
-/// The branch vector (m) from disc 1 to the image of disc 2 that a row means.
+/// The branch vector (m) from disc 1 to the image of disc 2 that a row refers to.
 ///
-/// That which the row tells by normal or places, where there is a column `periodic` only for rows that have 1
-/// there; without either the nearest one. Stock LIGGGHTS gives periodic = 1 to contacts with any ghost, and
-/// wraps their places: the partner is an image, or stands where it is, and belongs to another rank.
+/// It is given by the row's normal or positions; if there is a column `periodic`, only for rows where it is
+/// 1. Otherwise it is the nearest image. Stock LIGGGHTS sets periodic = 1 for contacts with any ghost and
+/// wraps their positions, so the partner is either an image or an unshifted disc owned by another rank.
 class RowBranch {
  public:
   RowBranch(const ContactRows& rows, const Box& box, const ContactTolerance& tolerance)
@@ -32,9 +32,9 @@ class RowBranch {
 
   const BranchImages& images() const { return images_; }
 
-  /// `between`: from centre to centre in the file, `reach`: a_1 + a_2, `slack`: what the digits leave open.
-  /// Throws: periodic = 1 for places that are apart in a box that is not periodic; two images that touch
-  /// where the row does not say which.
+  /// `between`: centre to centre in the file; `reach`: a_1 + a_2; `slack`: tolerance due to rounding. Throws
+  /// on periodic = 1 for discs that are far apart in a non-periodic box, and if two images touch and the row
+  /// does not say which.
   Eigen::Vector2d of(const RowView& row, const Eigen::Vector2d& between, double reach, double slack) const;
 
  private:

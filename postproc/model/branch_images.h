@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// From centre to centre through the periodic boundaries of the box.
+// Branch vectors across the periodic boundaries of the box.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace mikromakro {
 
-/// The images of a branch vector l (m): l + (k_x L_x, k_y L_y), k whole numbers along the axes along which
-/// the box is periodic, 0 along others.
+/// The periodic images of a branch vector l (m): l + (k_x L_x, k_y L_y), with k any integer along periodic
+/// axes and 0 along the others.
 class BranchImages {
  public:
   explicit BranchImages(const Box& box) {
@@ -20,7 +20,7 @@ class BranchImages {
     any_ = !length_.isZero();
   }
 
-  /// Whether there are others than the branch itself.
+  /// Whether there are images other than the branch itself.
   bool any() const { return any_; }
 
   /// The shortest one.
@@ -31,12 +31,12 @@ class BranchImages {
     return branch;
   }
 
-  /// The one that is nearest to `wanted`.
+  /// The image nearest to `wanted`.
   Eigen::Vector2d nearest_to(const Eigen::Vector2d& wanted, const Eigen::Vector2d& branch) const {
     return wanted + nearest(branch - wanted);
   }
 
-  /// The shortest one but the branch itself, which is in the box.
+  /// The shortest image other than the branch itself, which must lie in the box.
   Eigen::Vector2d nearest_other(const Eigen::Vector2d& branch) const {
     Eigen::Vector2d best(std::numeric_limits<double>::max(), 0);
     for (int along_x = -1; along_x <= 1; ++along_x)
@@ -47,7 +47,7 @@ class BranchImages {
     return best;
   }
 
-  /// Whether another than `nearest`, the shortest, is shorter than `reach`, too: the box is narrow.
+  /// Whether a second image, besides `nearest` (the shortest), is shorter than `reach`: the box is narrow.
   bool two_within(double reach, const Eigen::Vector2d& nearest) const {
     for (Eigen::Index axis = 0; axis < 2; ++axis)
       if (length_[axis] > 0 && std::hypot(length_[axis] - std::abs(nearest[axis]), nearest[1 - axis]) < reach)
@@ -55,13 +55,13 @@ class BranchImages {
     return false;
   }
 
-  /// Whether that can be.
+  /// Whether two_within() can be true for any branch.
   bool several_within(double reach) const {
     return (length_.x() > 0 && length_.x() < 2 * reach) || (length_.y() > 0 && length_.y() < 2 * reach);
   }
 
-  /// Visits the images that are shorter than `reach`, of `nearest` and the two on each of its sides: farther
-  /// ones overlap in boxes only that are shorter than the radius.
+  /// Visits the images shorter than `reach`, among `nearest` and two on each side of it; farther ones overlap
+  /// only in boxes shorter than the radius.
   template <typename Visit>
   void visit_within(double reach, const Eigen::Vector2d& nearest, Visit visit) const {
     const int sides[] = {length_.x() > 0 ? 2 : 0, length_.y() > 0 ? 2 : 0};
@@ -73,7 +73,7 @@ class BranchImages {
   }
 
  private:
-  Eigen::Vector2d length_ = Eigen::Vector2d::Zero();  // 0 along an axis that is not periodic
+  Eigen::Vector2d length_ = Eigen::Vector2d::Zero();  // 0 along a non-periodic axis
   bool any_ = false;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The quantities of particles and contacts that dumps have, and sets of them.
+// The particle and contact quantities that dumps contain, and sets of them.
 #pragma once
 
 #include <algorithm>
@@ -9,14 +9,14 @@
 
 namespace mikromakro {
 
-/// Quantities of a particle row, by the names that LAMMPS and LIGGGHTS give them.
+/// Quantities of a particle row, named as in LAMMPS and LIGGGHTS.
 enum class ParticleColumn { id, type, x, y, radius, vx, vy, omegaz, mass, count };
 inline constexpr std::string_view particle_column_names[] = {"id", "type", "x",      "y",   "radius",
                                                              "vx", "vy",   "omegaz", "mass"};
 
-/// Quantities of a contact row: the columns of `compute contact/disc`; the flag and the two components of the
-/// spring of stock LIGGGHTS, the distance of stock LAMMPS. Behind `count`: what is looked at while a row is
-/// read, and not kept.
+/// Quantities of a contact row: the columns of `compute contact/disc`, then the periodic flag and the two
+/// spring components of stock LIGGGHTS and the distance of stock LAMMPS. Enumerators from `count` on are only
+/// checked while a row is read, and not stored.
 enum class ContactColumn {
   id1,
   id2,
@@ -52,12 +52,12 @@ enum class ContactColumn {
 inline constexpr std::string_view contact_column_names[] = {
     "id1", "id2", "x1", "y1", "x2", "y2", "nx",       "ny",   "overlap", "fx",
     "fy",  "fn",  "ft", "xi", "vn", "vt", "periodic", "dist", "shearx",  "sheary"};
-/// And those that are not kept.
+/// The same, including those that are not stored.
 inline constexpr std::string_view contact_read_names[] = {
     "id1", "id2", "x1", "y1",     "x2",  "y2",  "nx",       "ny",   "overlap", "fx",
     "fy",  "fn",  "ft", "xi",     "vn",  "vt",  "periodic", "dist", "shearx",  "sheary",
     "z1",  "z2",  "fz", "shearz", "ftx", "fty", "ftz",      "mesh"};
-/// Number of columns of `compute contact/disc`, the first ones of the list above.
+/// Number of columns of `compute contact/disc`, the first in the list above.
 inline constexpr int contact_disc_columns = 16;
 
 /// A set of columns, one bit per enumerator.

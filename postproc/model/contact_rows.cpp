@@ -11,7 +11,7 @@ namespace {
 
 using enum ContactColumn;
 
-// What was only guessed to be our columns needs the way out in its message.
+// If the columns were only assumed to be ours, the message needs a remedy.
 std::string with_hint(std::string_view what, bool guessed) {
   return fmt::format("{}{}", what,
                      guessed ? " (not the columns of compute contact/disc? give --contact-columns)" : "");

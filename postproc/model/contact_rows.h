@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contact rows of one frame, as they stand in the file.
+// Contact rows of one frame, as read from the file.
 #pragma once
 
 #include <array>
@@ -13,16 +13,16 @@
 
 namespace mikromakro {
 
-/// One row, by ContactColumn; nan where the file has no such column.
+/// One contact row, indexed by ContactColumn; nan if the file has no such column.
 struct ContactRow {
   std::array<double, static_cast<std::size_t>(ContactColumn::count)> value;
 
   double operator[](ContactColumn column) const { return value[static_cast<std::size_t>(column)]; }
 };
 
-/// The rows of a frame; row i stands in line first_line + i, or in lines[i] where some lines are no rows.
-/// Those of walls may stand in a file of their own, behind row `pairs`, from line first_wall_line on. Rows of
-/// walls have places where the file gives them, even if those of discs are not needed.
+/// The contact rows of a frame. Row i is in line first_line + i, or in lines[i] if not every line is a row.
+/// Wall contacts may come from a separate file: rows from `pairs` on, starting at line first_wall_line. Wall
+/// rows keep their positions if the file gives them, even if those of disc rows are not needed.
 struct ContactRows {
   std::vector<ContactRow> rows;
   ColumnSet given = 0;
@@ -30,18 +30,18 @@ struct ContactRows {
   std::string file;
   std::int64_t first_line = 0;
   std::vector<std::int64_t> lines = {};
-  std::vector<FurtherPiece> pieces = {};  ///< of the discs; without lines
+  std::vector<FurtherPiece> pieces = {};  ///< further pieces of the disc contacts; without `lines`
   std::string wall_file = {};
   std::int64_t first_wall_line = 0;
-  std::vector<FurtherPiece> wall_pieces = {};  ///< counted from the first row of walls
+  std::vector<FurtherPiece> wall_pieces = {};  ///< counted from the first wall row
   std::size_t pairs = 0;
   ColumnSet walls_given = 0;
 
   bool of_wall_file(std::size_t row) const { return !wall_file.empty() && row >= pairs; }
   ColumnSet given_in(std::size_t row) const { return of_wall_file(row) ? walls_given : given; }
-  /// What all rows have.
+  /// Columns that all rows have.
   ColumnSet given_in_all() const { return wall_file.empty() ? given : given & walls_given; }
-  /// Adds the rows of a further piece of the frame.
+  /// Appends the rows of a further piece of the frame.
   void append(const ContactRows& piece) {
     pieces.push_back({rows.size(), piece.file, piece.first_line});
     rows.insert(rows.end(), piece.rows.begin(), piece.rows.end());
@@ -58,15 +58,15 @@ struct ContactRows {
   }
 };
 
-/// Meshes of walls keep numbers of their own below all others: mesh 0 gets id2 = -1001, and so on.
+/// Mesh walls get ids below all others: mesh 0 has id2 = -1001, and so on.
 inline constexpr double first_mesh = -1001;
 
-/// Throws where an id is no whole number, or a normal is given that is no unit vector within 1e-5 (the
-/// engines' %g keeps 6 digits). `guessed`: the columns have no names and only look like ours, which the
-/// message then says.
+/// Throws if an id is not an integer, or if a given normal is not a unit vector within 1e-5 (the engines' %g
+/// keeps 6 digits). `guessed`: the columns are unnamed and were only assumed to be ours, which the message
+/// then says.
 void check_contact_row(const ContactRow& row, ColumnSet given, bool guessed, const Place& place);
 
-/// Whether it would throw nothing.
+/// True if check_contact_row() would not throw.
 inline bool is_sound(const ContactRow& row, ColumnSet given) {
   if (!is_integer(row[ContactColumn::id1]) || !is_integer(row[ContactColumn::id2])) return false;
   if ((column_set(ContactColumn::nx, ContactColumn::ny) & ~given) != 0) return true;
@@ -75,7 +75,7 @@ inline bool is_sound(const ContactRow& row, ColumnSet given) {
   return std::abs(x * x + y * y - 1) <= 2 * unit_tolerance;
 }
 
-/// Adds the rows of walls, of a file of their own, to those of the discs.
+/// Appends wall rows from a separate file to the disc rows.
 void add_wall_contacts(ContactRows walls, ContactRows& contacts);
 
 }  // namespace mikromakro

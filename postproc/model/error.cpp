@@ -6,11 +6,11 @@
 namespace mikromakro {
 namespace {
 
-// Of file names, and of the other parts of a message, which may be lists of all names that there are.
+// Limits for file names, and for the other parts of a message, which may list all known names.
 constexpr std::size_t longest_name = 200;
 constexpr std::size_t longest_part = 900;
 
-// Letters of more than one byte stay whole.
+// Multi-byte characters stay whole.
 bool begins_letter(char c) {
   return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
 }

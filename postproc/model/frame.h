@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One snapshot in memory: discs and contacts as the averages see them, whatever file they came from.
+// One snapshot in memory: discs and contacts as the averages use them, independent of the file format.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct Box {
   const char* boundary(std::size_t axis) const { return periodic[axis] ? "periodic" : "not periodic"; }
 };
 
-/// A disc; SI units. What a dump does not give is nan (type 0).
+/// A disc; SI units. Values missing from the dump are nan (type: 0).
 struct Particle {
   std::int64_t id = 0;
   int type = 0;
@@ -35,7 +35,7 @@ struct Particle {
   double mass = not_given;
 };
 
-/// A contact; SI units. The normal points from disc 1 to disc 2, the force acts on disc 1, overlap > 0 in
+/// A contact; SI units. The normal points from disc 1 to disc 2, the force acts on disc 1, and overlap > 0 in
 /// contact.
 struct Contact {
   std::int64_t id1 = 0;
@@ -58,7 +58,7 @@ struct Frame {
   Box box;
   std::vector<Particle> particles;
   std::vector<Contact> contacts;
-  bool contacts_known = true;  ///< false: no file of contacts, so that discs may have some all the same
+  bool contacts_known = true;  ///< false: there is no contact file; discs may still touch
 };
 
 }  // namespace mikromakro

@@ -6,7 +6,7 @@
 namespace mikromakro {
 namespace {
 
-// A table of this many times the number of particles is still cheaper than searching.
+// A table up to this many times the number of particles is still cheaper than a search.
 constexpr std::int64_t densest_table = 8;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// From the id of a particle to its place in the frame; ids may have gaps and stand in any order.
+// Maps particle ids to indices in the frame; ids may have gaps and come in any order.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@ class IdMap {
  public:
   explicit IdMap(const std::vector<Particle>& particles);
 
-  /// Index of the particle, -1 when there is none of this id.
+  /// Index of the particle, -1 if no particle has this id.
   int find(std::int64_t id) const {
     const std::int64_t offset = id - lowest_;
     if (dense_.empty()) return search(id);
     return offset >= 0 && offset < std::ssize(dense_) ? dense_[static_cast<std::size_t>(offset)] : -1;
   }
 
-  /// Index of the first particle whose id an earlier one has, -1 when all ids differ.
+  /// Index of the first particle that repeats an earlier id, -1 if all ids differ.
   int duplicate() const { return duplicate_; }
 
  private:
@@ -31,8 +31,8 @@ class IdMap {
     int index;
   };
   std::int64_t lowest_ = 0;
-  std::vector<int> dense_;     ///< index by id - lowest_, where ids are dense enough
-  std::vector<Entry> sorted_;  ///< otherwise by binary search
+  std::vector<int> dense_;     ///< index by id - lowest_, if ids are dense enough
+  std::vector<Entry> sorted_;  ///< otherwise, for binary search
   int duplicate_ = -1;
 };
 

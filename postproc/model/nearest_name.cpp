@@ -12,7 +12,7 @@
 namespace mikromakro {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  // Three rows of the table of distances between the first i letters of a and the first j of b.
+  // Three rows of the matrix of distances between the first i letters of a and the first j of b.
   std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), now(b.size() + 1);
   std::iota(now.begin(), now.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -30,7 +30,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string_view nearest_name(std::string_view given, std::span<const std::string_view> known) {
-  constexpr std::size_t longest = 100;  // what is longer is no name that was mistyped
+  constexpr std::size_t longest = 100;  // longer words are not mistyped names
   if (given.size() > longest) return {};
   std::string_view nearest;
   std::size_t least = std::max<std::size_t>(1, given.size() / 3) + 1;

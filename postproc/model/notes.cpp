@@ -48,7 +48,7 @@ std::vector<std::string> Notes::lines() const {
   return all;
 }
 
-// STEP COUNT TEXT, ended by a zero byte, which no text holds.
+// STEP COUNT TEXT, terminated by a zero byte, which no text contains.
 std::string Notes::packed() const {
   const std::scoped_lock lock(mutex_);
   std::string bytes;

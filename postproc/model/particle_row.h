@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The numbers of one particle in a file, and the particle that they make.
+// The numbers of one particle in a file, and the particle made from them.
 #pragma once
 
 #include <array>
@@ -12,25 +12,25 @@
 
 namespace mikromakro {
 
-/// Behind the numbers of ParticleColumn a row has room for z, which must be the same for all.
+/// After the numbers of ParticleColumn a row has a slot for z, which must be equal for all particles.
 inline constexpr std::size_t particle_z = static_cast<std::size_t>(ParticleColumn::count);
 using ParticleSlots = std::array<double, particle_z + 1>;
 
-/// What every average needs of a particle; contacts need its id, too.
+/// Columns that every average needs; contacts also need the id.
 inline constexpr ColumnSet particle_base_columns =
     column_set(ParticleColumn::x, ParticleColumn::y, ParticleColumn::radius);
 
-/// A whole number of a row, 0 where `given` has no such column.
+/// An integer of a row, 0 if `given` has no such column.
 inline std::int64_t given_or_0(const ParticleSlots& slots, ColumnSet given, ParticleColumn column) {
   return (given & column_bit(column)) != 0
              ? static_cast<std::int64_t>(slots[static_cast<std::size_t>(column)])
              : 0;
 }
 
-/// Throws what particle_of does.
+/// Throws what particle_of() throws.
 void check_particle(const ParticleSlots& slots, ColumnSet given, const Place& place);
 
-/// Whether it would throw nothing.
+/// True if check_particle() would not throw.
 inline bool is_sound(const ParticleSlots& slots, ColumnSet given) {
   const auto lacks = [&](ParticleColumn column) { return (given & column_bit(column)) == 0; };
   const auto at = [&](ParticleColumn column) { return slots[static_cast<std::size_t>(column)]; };
@@ -41,8 +41,8 @@ inline bool is_sound(const ParticleSlots& slots, ColumnSet given) {
          at(ParticleColumn::radius) > 0 && (lacks(ParticleColumn::mass) || at(ParticleColumn::mass) > 0);
 }
 
-/// A particle from its numbers, nan where `given` has no such column (id and type 0). Throws: radius or mass
-/// <= 0, ids and types below 1 or not whole where they are given.
+/// Makes a particle from its numbers; columns not in `given` are nan (id and type: 0). Throws on radius or
+/// mass <= 0, and on given ids and types that are below 1 or not integers.
 inline Particle particle_of(const ParticleSlots& slots, ColumnSet given, const Place& place) {
   const auto at = [&](ParticleColumn column) { return slots[static_cast<std::size_t>(column)]; };
   if (!is_sound(slots, given)) check_particle(slots, given, place);

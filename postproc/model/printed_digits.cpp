@@ -15,10 +15,10 @@ void PrintedDigits::add(double number) {
   ++count_;
   floats_ = floats_ && std::abs(number) <= std::numeric_limits<float>::max() &&
             static_cast<double>(static_cast<float>(number)) == number;
-  // Who prints as many keeps what a calculation has.
+  // With this many digits, the file keeps the precision of the calculation.
   constexpr int all_that_matter = 15;
   if (digits_ >= all_that_matter) return;
-  // The shortest text that is this number: d.ddde+dd.
+  // The shortest text that represents this number: d.ddde+dd.
   std::array<char, 32> text{};
   const auto [end, code] =
       std::to_chars(text.data(), text.data() + text.size(), std::abs(number), std::chars_format::scientific);

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How exactly a file tells its numbers: read off the numbers themselves, whatever kind of file they came
-// from.
+// Precision of the numbers in a file, estimated from the numbers themselves, whatever the file format.
 #pragma once
 
 namespace mikromakro {
 
-/// The digits that a column was printed with, seen in some of its numbers: the most that one of them has. Few
-/// numbers may all end in zeros by chance, or be written by hand: then at least the six digits that the
-/// engines' %g keeps. Numbers of 32 bits, in whatever they were stored since, have seven.
+/// Number of significant digits that a column was printed with: the maximum over a sample of its numbers. A
+/// few numbers may all end in zeros by chance, or be written by hand, so at least six digits are assumed, as
+/// in the engines' %g. Single-precision numbers have seven digits, however they were stored since.
 class PrintedDigits {
  public:
-  /// How many numbers are enough.
+  /// Sufficient sample size.
   static constexpr int enough = 16;
 
   void add(double number);
-  /// What a number of this size may have lost: half a unit of its last digit.
+  /// Possible rounding error of a number of this size: half a unit in the last digit.
   double rounding(double size) const;
 
  private:
@@ -22,7 +21,7 @@ class PrintedDigits {
 
   int count_ = 0;
   int digits_ = 1;
-  bool floats_ = true;  ///< all of them have 32 bits
+  bool floats_ = true;  ///< all numbers so far are exact in single precision
 };
 
 }  // namespace mikromakro

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A frame as its rows stand in the files.
+// A frame as read from the files.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace mikromakro {
 
-/// What a run tells about its walls in one step: the numbers of a fix, under the fix's name.
+/// State of a wall at one step: the numbers that a fix outputs, under the name of the fix.
 struct WallState {
   std::string name;
-  std::string style;  ///< tells what the numbers are
+  std::string style;  ///< defines what the numbers mean
   std::vector<double> numbers;
 };
 
-/// A frame before its contacts are joined to its particles. For messages: particle i stands in line
+/// A frame before its contacts are joined to its particles. For messages: particle i is in line
 /// first_particle_line + i of particle_file, or in a further piece.
 struct RawFrame {
   std::int64_t step = 0;
@@ -31,10 +31,10 @@ struct RawFrame {
   std::vector<FurtherPiece> further_pieces = {};
   bool with_contacts = false;
   ContactRows contacts;
-  double place_error = not_given;  ///< what coordinates of discs have lost (m); nan: as their digits say
+  double place_error = not_given;  ///< rounding error of coordinates (m); nan: inferred from their digits
   double time = not_given;         ///< s
-  Units units = {};                ///< in which all of it stands until it is joined
-  bool closely = false;            ///< contacts that are missing are looked for, too
+  Units units = {};                ///< units of all members until the frame is joined
+  bool closely = false;            ///< also check for missing contacts
   std::vector<WallState> walls;
 
   Place place_of_particle(std::size_t i) const {

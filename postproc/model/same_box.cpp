@@ -36,7 +36,7 @@ void check_box(const Box& box, const Place& place) {
 
 void check_same_box(const Box& of_particles, const Box& of_contacts, const Place& place) {
   const Box &one = of_particles, &other = of_contacts;
-  constexpr double digits = 1e-5;  // of the shorter of both formats
+  constexpr double digits = 1e-5;  // of the less precise of the two formats
   const double allowed = digits * one.length().norm();
   const double apart = std::fmax((one.low - other.low).lpNorm<Eigen::Infinity>(),
                                  (one.high - other.high).lpNorm<Eigen::Infinity>());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Particles and contacts of one step of one run have one box.
+// Particles and contacts of one step of one run share one box.
 #pragma once
 
 #include "model/error.h"
@@ -7,26 +7,25 @@
 
 namespace mikromakro {
 
-/// Whether a side is longer or shorter by more than a tenth: more than a box that a run deforms does from one
-/// frame to the next.
+/// Whether a side changes by more than a tenth: more than a deforming box changes between two frames.
 bool jumps(const Box& before, const Box& after);
 
-/// The note where the number of discs is another one, too.
+/// The note if the number of discs changes as well.
 inline constexpr const char* another_system =
     "the box and the number of discs are not those of the frames before (another run?)";
 
-/// Whether a side is longer or shorter by more than a third, which hardly any run does between two frames.
+/// Whether a side changes by more than a third, which hardly any run does between two frames.
 bool is_another(const Box& before, const Box& after);
 
 inline constexpr const char* another_box =
     "a side of the box is longer or shorter by more than a third than in the frame before (a damaged "
     "header?)";
 
-/// Throws where a box is of no width along a periodic axis, or its bounds are not in order.
+/// Throws if the box has no width along a periodic axis, or if its bounds are not in order.
 void check_box(const Box& box, const Place& place);
 
-/// Throws where the box above the contacts, which stands at `place`, is not that of the particles: bounds to
-/// five digits, boundaries where both files tell them.
+/// Throws if the box in the contact header, located at `place`, differs from that of the particles: bounds to
+/// five digits, boundaries if both files give them.
 void check_same_box(const Box& of_particles, const Box& of_contacts, const Place& place);
 
 }  // namespace mikromakro

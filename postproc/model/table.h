@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A table of numbers with the meaning of its columns: what the averages give and the writers take.
+// A table of numbers with the meaning of its columns: output of the averages, input of the writers.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,12 +12,12 @@ namespace mikromakro {
 struct Column {
   std::string name;
   std::string unit;
-  std::string equation;  ///< where it is defined, e.g. "Latzel2001 Eq. 3"; "-" where nothing is to be said
+  std::string equation;  ///< where it is defined, e.g. "Latzel2001 Eq. 3"; "-" if there is nothing to cite
   std::string text;
-  double period = 0;  ///< of angles, in their unit: values that differ by it are the same; 0: of no angle
+  double period = 0;  ///< period of angles, in the column's unit; 0: not an angle
 };
 
-/// Numbers, row by row in memory.
+/// Numbers, row-major.
 using Rows = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 struct Table {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Units that a dump names (`dump_modify units yes`): numbers of a frame into SI.
+// Units named in a dump (`dump_modify units yes`): conversion of a frame to SI.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace mikromakro {
 
 struct RawFrame;
 
-/// What one unit of the file is in SI. Units of everything else follow from these three.
+/// Value of one file unit in SI. All other units follow from these three.
 struct Units {
   double length = 1;  ///< m
   double mass = 1;    ///< kg
@@ -21,17 +21,18 @@ struct Units {
   bool are_si() const { return length == 1 && mass == 1 && time == 1; }
 };
 
-/// The systems of LAMMPS and LIGGGHTS: si, cgs, micro, nano; lj, which has no SI values, stays as it is.
-/// Throws on those whose force is not mass x length/time^2 (real, metal, electron) and on unknown ones.
+/// The unit systems of LAMMPS and LIGGGHTS: si, cgs, micro, nano; lj has no SI values and is left unchanged.
+/// Throws on systems whose force is not mass x length/time^2 (real, metal, electron) and on unknown ones.
 Units units_of(std::string_view name, const Place& place);
-/// What the reader of the numbers must know of them; empty for si.
+/// A remark that users of the numbers need; empty for si.
 std::string units_note(std::string_view name);
 
-/// Bounds of a box into SI.
+/// Converts the bounds of a box to SI.
 void convert(const Units& units, Box& box);
 
-/// All lengths, velocities, masses, forces of a frame whose contacts are joined, and of the rows they were
-/// made of, into SI: not before, since how exact numbers are is seen from the digits of the file.
+/// Converts all lengths, velocities, masses and forces of a frame, and of the rows it was made from, to SI.
+/// Only after the contacts are joined, since the precision of numbers is estimated from their digits in the
+/// file.
 void convert(const Units& units, RawFrame& raw, Frame& frame);
 
 }  // namespace mikromakro

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers that stand for ids, types and counts.
+// Floating-point numbers that represent ids, types and counts.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace mikromakro {
 
 inline bool is_integer(double number) {
-  constexpr double largest = 9007199254740992;  // 2^53, so that no id is rounded to another one
+  constexpr double largest = 9007199254740992;  // 2^53: above it, distinct ids round to the same double
   return std::abs(number) <= largest && number == static_cast<double>(static_cast<std::int64_t>(number));
 }
 [[noreturn]] void throw_no_integer(double number, std::string_view what, const Place& place);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What to average and how, as the program and the runs of engines are asked for it.
+// Averaging options, shared by the program and the in-situ averaging of the engines.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -21,17 +21,17 @@ struct AverageOptions {
   VolumeOptions volumes;
   FieldChoice fields;
   std::vector<std::string> out;
-  std::optional<std::size_t> error_blocks;  ///< else suitable_blocks
+  std::optional<std::size_t> error_blocks;  ///< unset: suitable_blocks()
 };
 
 void add_average_options(CLI::App& app, AverageOptions& options);
 
-/// The averager that the options ask for. Throws on options that contradict each other or have no meaning.
+/// The averager for these options. Throws on contradictory or meaningless options.
 std::unique_ptr<const Averager> make_averager(const AverageOptions& options);
 
-/// Sums without frames, with the blocks for errors that the options want.
+/// Empty sums, with the number of error blocks that the options ask for.
 TimeAverage no_sums(const AverageOptions& options, const Averager& averager);
-/// How many blocks that are.
+/// That number of blocks.
 std::size_t error_blocks(const AverageOptions& options, const Averager& averager);
 
 /// Time steps of the first and the last frame.
@@ -47,11 +47,11 @@ struct Averaged {
   void add(std::int64_t step, const Rows& frame_sums, std::int64_t run = 0);
 };
 
-/// Line above a table: which frames.
+/// Adds the header line that says which frames were averaged.
 void describe_frames(const Averaged& averaged, Preamble& lines);
 
-/// Solves the table, with errors unless the options have none, and writes it out below `lines`, to which all
-/// that the options say is added. There must be a frame. What the errors rest on is given back.
+/// Computes the table, with errors unless the options disable them, and writes it below `lines`, after
+/// appending a description of all options. At least one frame is required. Returns the basis of the errors.
 BlockErrors write_averages(const AverageOptions& options, const Averager& averager, const Averaged& averaged,
                            Preamble lines, TableOutputs& outputs);
 

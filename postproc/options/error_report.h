@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How the standard errors of a table were made.
+// Reports how the standard errors of a table were obtained.
 #pragma once
 
 #include "averaging/block_errors.h"
@@ -8,13 +8,13 @@
 
 namespace mikromakro {
 
-/// Lines above the table: the blocks, then for each field 2 tau with its uncertainty and its effective
-/// samples, and whether they are enough.
+/// Header lines of a table: the blocks, then for each field 2 tau with its uncertainty, its effective
+/// samples, and whether they suffice.
 void describe_errors(const BlockErrors& errors, const TimeAverage& average, Preamble& lines);
 
-/// The same as JSON: method, frames, blocks, block_length, and for each of the fields given, series (that
+/// The same as JSON: method, frames, blocks, block_length, and for each field given, series (number that
 /// fluctuate), two_tau and two_tau_err in frames, two_tau_scatter, two_tau_scatter_unknown, effective_samples
-/// and needed_samples, degrees_of_freedom, widening. What is not known is null.
+/// and needed_samples, degrees_of_freedom, widening. Unknown values are null.
 JsonObject error_json(const BlockErrors& errors, const TimeAverage& average);
 
 }  // namespace mikromakro

@@ -30,7 +30,7 @@ void add_field_options(CLI::App& app, FieldChoice& choice) {
 
 namespace {
 
-// What would be given in vain: a number that none of the fields takes.
+// Rejects constants that none of the fields uses.
 void check_use(const FieldChoice& choice) {
   const std::vector<std::string>& names = choice.names;
   const auto averaged = [&](std::string_view name) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where the tables of `average` go to.
+// Output files of `average`.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,11 +12,11 @@
 
 namespace mikromakro {
 
-/// Files by their endings, made at once (so that a name that cannot be written is found before a long run)
-/// and filled when all frames are read. Throws on other endings.
+/// Files by extension, created at once (so that an unwritable name is found before a long run) and filled
+/// after all frames are read. Throws on other extensions.
 class TableOutputs {
  public:
-  /// No names: CSV on standard output. Throws where one is among the inputs, or is named twice.
+  /// No names: CSV to standard output. Throws if a name is also an input or occurs twice.
   explicit TableOutputs(const std::vector<std::string>& names, const std::vector<std::string>& inputs = {});
 
   void commit(const Preamble& preamble, const Table& table, const Eigen::Vector2d& center);

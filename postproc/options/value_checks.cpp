@@ -36,7 +36,7 @@ CLI::Validator number(bool (*good)(double), std::string_view expected, const std
           name};
 }
 
-// Decimal digits with a sign or not, and nothing else.
+// Decimal digits with an optional sign, and nothing else.
 std::optional<std::int64_t> whole_of(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   std::int64_t value = 0;
@@ -45,7 +45,7 @@ std::optional<std::int64_t> whole_of(std::string_view text) {
   return value;
 }
 
-// What a script gives whose variable is not set.
+// Catches scripts with an unset variable.
 CLI::Validator not_empty() {
   return {[](std::string& text) {
             return unless(!text.empty(), "an empty value", "something, or no such option", text);
@@ -70,7 +70,7 @@ std::string of_extra_word(const CLI::App& app, const std::string& word, std::str
                      is_option ? in_quotes_with_guess(word, option_names(app, names)) : in_quotes(word));
 }
 
-// The option that a message of the parser begins with.
+// The option at the beginning of a parser message.
 const CLI::Option* named_in(const CLI::App& app, const std::string& message) {
   return app.get_option_no_throw(message.substr(0, message.find_first_of(": ")));
 }
@@ -96,7 +96,7 @@ CLI::Validator whole_number(std::int64_t low, std::int64_t high) {
   const std::string expected = fmt::format("a whole number, {} to {}", low, high);
   return {[=](std::string& text) {
             const std::optional<std::int64_t> value = whole_of(text);
-            if (value) text = fmt::format("{}", *value);  // without zeros in front
+            if (value) text = fmt::format("{}", *value);  // without leading zeros
             return unless(value && *value >= low && *value <= high, "the value makes no sense", expected,
                           text);
           },

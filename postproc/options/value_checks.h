@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What values of options must be. Each check says of a value that fails 'what; expected ..., got ...', which
-// stands behind the name of the option.
+// Checks of option values. Each check returns 'what; expected ..., got ...' for an invalid value, to be
+// printed after the option's name.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -16,17 +16,17 @@ CLI::Validator not_negative();
 CLI::Validator whole_number(std::int64_t low, std::int64_t high);
 CLI::Validator one_of(std::vector<std::string_view> names);
 
-/// Every option of `app` that takes numbers takes finite ones only, and whole ones where it counts: nan would
-/// pass all comparisons, and 010 would be read as 8. No option takes an empty value, which would be as if it
-/// had not been given. To be called when all options are there.
+/// Restricts all numeric options of `app` to finite numbers, and to integers if they are counts: nan would
+/// pass every comparison, and 010 would be read as 8. Also rejects empty values, which would look as if the
+/// option had not been given. Call after all options have been added.
 void check_values(CLI::App& app);
 
-/// Throws at a list with commas that has an empty item (`0.03,,0.05`), which the parser would leave out.
-/// `words` in their order, names of options with their dashes.
+/// Throws on a comma-separated list with an empty item (`0.03,,0.05`), which the parser would drop. `words`
+/// in order, option names with their dashes.
 void check_lists(const CLI::App& app, const std::vector<std::string>& words);
 
-/// What is wrong with the words that `app` was given, in the same form, with the option's name in front;
-/// `listed` says where its options stand.
+/// Describes what is wrong with the words given to `app`, in the same form, preceded by the option's name;
+/// `listed` says where its options are documented.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error, std::string_view listed);
 
 }  // namespace mikromakro

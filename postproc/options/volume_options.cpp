@@ -54,7 +54,7 @@ std::unique_ptr<const Volumes> box_of(const VolumeOptions& options) {
                                              thickness(options));
 }
 
-// Exactly one kind of volumes, and sectors of rings only.
+// Exactly one kind of volume, and sectors only with rings.
 void check_choice(const VolumeOptions& options) {
   std::vector<std::string_view> given;
   if (!options.rings.empty()) given.emplace_back("--rings");
@@ -81,7 +81,7 @@ std::unique_ptr<const Volumes> volumes_of(const VolumeOptions& options) {
   return std::make_unique<const SectorVolumes>(std::move(rings), options.sectors);
 }
 
-// From one end of all volumes to the other.
+// Overall length of all volumes.
 double extent(const VolumeOptions& options) {
   if (!options.rings.empty()) return 2 * options.rings[1];
   if (!options.edges.empty()) return 2 * options.edges.back();
@@ -91,7 +91,7 @@ double extent(const VolumeOptions& options) {
                       : std::fmax(grid[1] - grid[0], grid[4] - grid[3]);
 }
 
-// A kernel that sees the volumes as a point shows nothing of them, and takes long.
+// A kernel much wider than all volumes shows nothing of them, and takes long.
 void check_width(const VolumeOptions& options) {
   constexpr double widest = 1000;
   const double width = kernel_width(options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Options that say over what is averaged, and how discs count there. Shared by the verbs that average.
+// Options for the averaging volumes and the weight of discs, shared by all verbs that average.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -15,45 +15,44 @@ namespace mikromakro {
 struct VolumeOptions {
   std::vector<double> rings, center, edges, grid, box;  ///< no centre: the origin
   int sectors = 0;                                      ///< 0: whole rings
-  std::string weight = "sliced", branch;                ///< no branch: the one that goes with the weight
+  std::string weight = "sliced", branch;                ///< no branch: the one implied by the weight
   double height = 0;                                    ///< 0: not known
   std::vector<int> bulk_types;
 };
 
 void add_volume_options(CLI::App& app, VolumeOptions& options);
-/// Beside them, where one weight is chosen; `choice` is the help.
+/// Adds --weight, for verbs that use a single weight; `choice` is its help text.
 void add_weight_option(CLI::App& app, VolumeOptions& options, const std::string& choice = {});
 
-/// Number of rings, or of columns of a grid.
+/// Number of rings, or of grid columns.
 int resolution_of(const VolumeOptions& options);
-/// The same volumes with another one; the rows of a grid in proportion. Throws for volumes other than --rings
-/// and
-/// --grid, and for resolutions below 1.
+/// The same volumes at another resolution; the rows of a grid are scaled in proportion. Throws for volumes
+/// other than --rings and --grid, and for resolutions below 1.
 VolumeOptions at_resolution(const VolumeOptions& options, int resolution);
 
-/// W of --weight NAME:W (m); 0 where it is no kernel.
+/// W of --weight NAME:W (m); 0 if the weight is not a kernel.
 double kernel_width(const VolumeOptions& options);
 
-/// The height, 1 where it is not known.
+/// The height, or 1 if not known.
 double thickness(const VolumeOptions& options);
 
-/// The option that gives the volumes, for messages.
+/// The option that defines the volumes, for messages.
 std::string_view volume_option(const VolumeOptions& options);
 
 /// Whether the volumes are a sequence of whole rings, which some fields need.
 bool are_rings(const VolumeOptions& options);
 
-/// The averager that the options ask for. Throws on options that contradict each other or have no meaning.
+/// The averager for these options. Throws on contradictory or meaningless options.
 std::unique_ptr<const Averager> make_averager(const VolumeOptions& options, FieldList fields);
 
-/// The radii of the rings' edges, of --rings or --edges (m). Throws where the volumes are rectangles.
+/// Edge radii of the rings, from --rings or --edges (m). Throws if the volumes are rectangles.
 std::vector<double> ring_edges(const VolumeOptions& options);
 Eigen::Vector2d ring_centre(const VolumeOptions& options);
 
-/// The branch vectors that count, `radius` or `contact`, given or those of the weight.
+/// The branch vectors in use, `radius` or `contact`: as given, or as implied by the weight.
 std::string branch_name(const VolumeOptions& options);
 
-/// Lines above a table: the volumes, and the discs; where one weight is chosen, how these count.
+/// Header lines of a table: the volumes and the discs; if a single weight is used, how discs count.
 void describe_volumes(const VolumeOptions& options, Preamble& lines, bool with_weight = true);
 
 }  // namespace mikromakro

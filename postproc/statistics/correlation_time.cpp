@@ -15,12 +15,12 @@ namespace {
 constexpr double window_over_time = 1.5;
 constexpr double significant = 1.5;  // standard errors
 
-// What products up to a lag tell.
+// Results of summing the products up to a lag.
 struct Window {
   Eigen::ArrayXd rho;
   double time = 1;
   double squares = 1;
-  double low = 0;  // by how much the time is too small, relative
+  double low = 0;  // relative amount by which the time is too small
 
   Eigen::Index lags() const { return rho.size() - 1; }
 };
@@ -47,7 +47,7 @@ Window window(LaggedProducts& products, Eigen::Index lags) {
   return result;
 }
 
-// Whether the lags behind those of `now` still tell something.
+// Whether the lags after those of `now` still contribute significantly.
 bool goes_on(const Window& now, LaggedProducts& products) {
   const Eigen::Index ahead = std::min(2 * now.lags() + 2, products.longest());
   if (ahead == now.lags()) return false;
@@ -80,7 +80,7 @@ double variance_of_one(const Window& window, double count) {
   return 2 * sum / (count * std::pow(std::max(time, 1.0), 2));
 }
 
-// With V the variance of the mean of a series, n V/(1 + V).
+// n V/(1 + V), with V the variance of the mean of a series.
 Eigen::ArrayXd own_times(const LaggedProducts& products, const Window& window,
                          const Eigen::ArrayXd& in_window) {
   const double share = shares(products, window.lags()).sum();
@@ -88,9 +88,9 @@ Eigen::ArrayXd own_times(const LaggedProducts& products, const Window& window,
   return products.count() / (1 - window.low) * variance_of_mean / (1 + variance_of_mean);
 }
 
-// How own values differ from series to series, relative.
+// Relative variation of 2 tau between series.
 struct Scatter {
-  double variance = 0;  // beyond that of the values themselves
+  double variance = 0;  // in excess of the statistical variance of single values
   bool by_chance = true;
 };
 
@@ -104,8 +104,8 @@ Scatter scatter_of(const Eigen::ArrayXd& relative, double of_one, double indepen
 
 constexpr double significant_of_one = 4;  // standard errors
 
-// By how much the lags behind those of the window, as many again, add more in each series than in all, in
-// standard errors.
+// By how much an equal number of lags after the window adds more in each series than in all, in standard
+// errors.
 Eigen::ArrayXd beyond_window(LaggedProducts& products, const Window& window,
                              const Eigen::ArrayXd& in_window) {
   const Eigen::Index lags = window.lags(), ahead = std::min(2 * lags + 2, products.longest());
@@ -118,7 +118,7 @@ Eigen::ArrayXd beyond_window(LaggedProducts& products, const Window& window,
   return (of_one - of_all) / std::sqrt(more * window.squares * std::max(window.time, 1.0) / products.count());
 }
 
-// What a normal series has by chance is not more than is taken off.
+// Only the amount that normal series have by chance is subtracted.
 double square_skewness(const LaggedProducts& products, double squares) {
   return std::max(0.0, products.square_skewness() - 6 * squares / products.count());
 }
@@ -145,7 +145,7 @@ CorrelationTime correlation_time(Rows series, const std::vector<std::int64_t>& r
   result.scatter = std::sqrt(scatter.variance);
   if (!scatter.by_chance) result.unknown_scatter = (1 - kept) * result.scatter;
   result.of_series = (result.time * (1 + kept * (relative - 1))).max(1);
-  // Slower than the window lets see, or than is kept of what it shows.
+  // Slower than the window shows, or than the shrunken value.
   const auto slow = beyond_window(products, *window, in_window) > significant_of_one ||
                     relative - result.of_series / result.time > significant_of_one * std::sqrt(of_one);
   result.of_series = slow.select(std::numeric_limits<double>::quiet_NaN(), result.of_series).eval();

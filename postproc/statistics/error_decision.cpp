@@ -11,8 +11,8 @@ namespace {
 
 constexpr double two_sided_quantile = 1.959963984540054;
 constexpr double fewest_samples = 8;
-constexpr double most_uncertain = 0.2;  // 2 tau, relative
-constexpr double most_unknown = 0.1;    // of how series differ
+constexpr double most_uncertain = 0.2;  // of 2 tau, relative
+constexpr double most_unknown = 0.1;    // of the variation between series
 constexpr double least_freedom = 3;
 
 double needed_samples(const CorrelationTime& correlation, double count) {
@@ -30,7 +30,7 @@ double student_width(double freedom) {
 
 double skewed_width(double square_skewness, double samples) {
   constexpr double square = two_sided_quantile * two_sided_quantile;
-  // Nothing at one sigma.
+  // No correction at one sigma.
   constexpr double mean = 0.5 * (square * square + 2 * square - 3) / 18;
   return 1 + mean * square_skewness * (samples - 1) / std::pow(samples - 2, 2);
 }

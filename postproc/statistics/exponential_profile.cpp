@@ -41,12 +41,12 @@ Points finite_points(const ProfilePoints& all, double r_i) {
     throw run_failed("there is nothing to fit", "values that are not 0", "0 in every ring");
   Points points{used, all.r(used) - r_i, all.v(used),
                 Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(used.size()))};
-  // Relative to the smallest error, so that the sums stay of the size of v^2.
+  // Relative to the smallest error, so that the sums stay of order v^2.
   if (weighted) points.weight = (all.error(used).minCoeff() / all.error(used)).square();
   return points;
 }
 
-// v0 and the decay rate q = 1/s: the sum of squares is smooth in q, also where a profile hardly decays.
+// v0 and the decay rate q = 1/s: the sum of squares is smooth in q, even for a profile that hardly decays.
 using Parameters = Eigen::Vector2d;
 
 double sum_of_squares(const Points& points, const Parameters& p) {
@@ -68,13 +68,13 @@ double sign_of(const Points& points) {
   return (points.weight * points.v * points.v.abs()).sum() < 0 ? -1 : 1;
 }
 
-// Weighted by v^2, since the logarithm stretches the small values.
+// Weighted by v^2, since the logarithm amplifies the scatter of small values.
 Parameters start(const Points& points) {
   const double sign = sign_of(points);
   return straight_line(points, (sign * points.v > 0).select(points.weight * points.v.square(), 0.0), sign);
 }
 
-// Of v with the parameters.
+// Derivatives of v with respect to the parameters.
 Eigen::MatrixX2d jacobian(const Points& points, const Parameters& p) {
   Eigen::MatrixX2d jacobian(points.x.size(), 2);
   const Eigen::ArrayXd decay = (-p[1] * points.x).exp();
@@ -112,7 +112,7 @@ Parameters levenberg_marquardt(const Points& points) {
       best = now;
       damping = std::max(0.1 * damping, 1e-12);
     } else if (damping > 1e12) {
-      return p;  // no better point within rounding
+      return p;  // no better point to within rounding
     } else {
       damping *= 10;
     }
@@ -121,7 +121,8 @@ Parameters levenberg_marquardt(const Points& points) {
                    fmt::format("v0 = {}, s = {} after {} steps", p[0], 1 / p[1], most_steps));
 }
 
-// How p changes with v where rows of `of_p` are d f/d p, f what is fitted, and f changes by `of_v` with v.
+// Derivative of p with respect to v, where rows of `of_p` are d f/d p, f is the fitted quantity, and `of_v`
+// is df/dv.
 Eigen::Matrix2Xd change_with_v(const Eigen::MatrixX2d& of_p, const Eigen::ArrayXd& weight,
                                const Eigen::ArrayXd& of_v) {
   const Eigen::Matrix2Xd weighted = of_p.transpose() * weight.matrix().asDiagonal();
@@ -151,7 +152,7 @@ Fitted fit_logarithm(const Points& points, bool weighted) {
   return {p, change_with_v(of_p, weight, 1 / points.v)};
 }
 
-// From the point nearest to the wheel to the next.
+// Distance between the two points nearest to the wheel.
 double first_distance(Eigen::ArrayXd x) {
   std::partial_sort(x.begin(), x.begin() + 2, x.end());
   return x[1] - x[0];
@@ -164,15 +165,15 @@ ExponentialProfile fit_exponential(const ProfilePoints& all, double r_i, FitOf o
   const auto [p, change] =
       of == FitOf::v ? fit_velocity(points) : fit_logarithm(points, all.error.size() > 0);
   const double s = 1 / p[1];
-  // A profile that falls by less than this over the rings is constant to rounding.
+  // A profile that falls by less than this over the rings is constant to within rounding.
   constexpr double least_fall = 1e-9;
   const bool falls = p[1] * (points.x.maxCoeff() - points.x.minCoeff()) > least_fall;
   if (!falls || p[0] == 0) {
     throw run_failed("the profile does not decay", "v0 != 0 and s > 0",
                      fmt::format("v0 = {}, s = {}", p[0], s));
   }
-  // Of one that falls to less than a millionth from a ring to the next, only one ring is seen, which leaves
-  // v0 and s open.
+  // If a profile falls below a millionth from one ring to the next, only one ring is resolved, which does not
+  // determine v0 and s.
   constexpr double most_fall = 14;
   if (p[1] * first_distance(points.x) > most_fall)
     throw run_failed("the profile decays within a ring", "finer rings, or another profile",

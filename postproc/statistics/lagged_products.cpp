@@ -10,7 +10,7 @@ namespace {
 
 using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
 
-// Of so many series at a time, which the cache holds: the first one and how many.
+// Calls work(first, count) for bundles of series that fit the cache.
 template <typename Do>
 void in_bundles(Eigen::Index count, Do work) {
   constexpr Eigen::Index bundle = 256;
@@ -36,8 +36,8 @@ Eigen::MatrixXd some_of(const Rows& series) {
   return some;
 }
 
-// The sum of the squared correlations of all pairs of series is that of the squared products of all pairs of
-// times.
+// The sum of squared correlations over all pairs of series equals that of the squared products over all pairs
+// of times.
 double mean_square_correlation(const Eigen::MatrixXd& series) {
   const auto count = static_cast<double>(series.rows());
   if (count < 2) return 0;
@@ -110,7 +110,7 @@ Eigen::ArrayXd LaggedProducts::sums_of_series(Eigen::Index lag) const {
 }
 
 double LaggedProducts::independent_series(double squares) const {
-  constexpr double most = 0.9;  // of short series
+  constexpr double most = 0.9;  // upper bound for short series
   const auto series = static_cast<double>(some_.rows());
   const double by_chance = std::min(squares / count(), most);
   const double beyond = std::max(0.0, (square_correlation_ - by_chance) / (1 - by_chance));

@@ -13,11 +13,11 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// 1 - cos(x) for x in [0, pi], to a few roundings of itself: its series at x/4, below pi/4, doubled twice by
-// 1 - cos(2 x) = 2 (1 - cos x)(1 + cos x). No call, so that several can be made at once.
+// 1 - cos(x) for x in [0, pi], to a few ulp: the series at x/4, below pi/4, doubled twice with 1 - cos(2 x) =
+// 2 (1 - cos x)(1 + cos x). No function call, so loops over it vectorise.
 inline double one_minus_cosine(double x) {
   const double y = 0.0625 * x * x;
-  // Factors 1/((2k + 1)(2k + 2)); products are faster than quotients.
+  // Factors 1/((2k + 1)(2k + 2)); multiplication is faster than division.
   double series = 1;
   for (const double factor : {1.0 / 240, 1.0 / 182, 1.0 / 132, 1.0 / 90, 1.0 / 56, 1.0 / 30, 1.0 / 12})
     series = 1 - y * factor * series;
@@ -31,7 +31,7 @@ inline double one_minus_cosine(double x) {
 CircleSweep::CircleSweep(const Kernel& kernel, double d, double R)
     : kernel_(kernel), d_(d), R_(R), leaves_(circle_half_angle(d, kernel.reach(), R)) {}
 
-// Direction, from the kernel's centre, of the point at the angle delta in [0, pi].
+// Direction, seen from the kernel's centre, of the point at angle delta in [0, pi].
 double CircleSweep::direction(double delta) const {
   const double half = std::sin(0.5 * delta);
   return std::atan2(R_ * std::sin(delta), (R_ - d_) - 2 * R_ * half * half);
@@ -45,8 +45,8 @@ double CircleSweep::within_reach(double begin, double end) const {
     square = gap * gap + 2 * R * d * versine;
     return gap + d * versine;
   };
-  // The distance changes by no more than the smaller of both radii times the angle; but the angle itself
-  // needs ten points for its sine.
+  // The distance changes by at most the smaller of the two radii times the angle; but the sine of the angle
+  // itself needs ten points.
   const double speed = std::max(std::min(R_, d_), kernel_.pieces().of_10 / pi);
   return R_ * integral_of_parts(kernel_, begin, end, speed, along);
 }
@@ -61,11 +61,11 @@ double CircleSweep::half_arc(double begin, double end) const {
 double CircleSweep::arc(double begin, double end) const {
   constexpr double turn = 2 * pi;
   const double shift = turn * std::floor((begin + pi) / turn);
-  // Mirrored at the direction of the centre, and at the opposite one, which may lie in between.
+  // Mirrored about the direction of the centre, and about the opposite one, which may lie in between.
   const double first = std::max(begin - shift, -pi);
   const double last = end - shift;
   double part = 0;
-  // Of two zeros std::max returns the first one, which must not be -0: as a direction that is -pi.
+  // For equal zeros std::max returns its first argument, which must not be -0: its direction would be -pi.
   if (first < 0) part += half_arc(std::max(0.0, -last), -first);
   if (last > 0 && first < pi) part += half_arc(std::max(0.0, first), std::min(last, pi));
   if (last > pi) {

@@ -6,16 +6,16 @@
 
 namespace mikromakro {
 
-/// The circle of radius R >= 0 around an origin that is d >= 0 away from the centre of the kernel. Never
-/// throws.
+/// A circle of radius R >= 0 about an origin at distance d >= 0 from the centre of the kernel. Never throws.
 class CircleSweep {
  public:
   CircleSweep(const Kernel& kernel, double d, double R);
 
-  /// Integral of e/(2 pi) dtheta, as in Kernel::line_sweep, along the circle, counter-clockwise from the
-  /// angle `begin` to `end` >= begin, counted from the direction of that centre; at most a turn. To 1e-11.
+  /// Integral of e/(2 pi) dtheta, as in Kernel::line_sweep, along the circle, counter-clockwise from angle
+  /// `begin` to `end` >= begin, measured from the direction of the kernel's centre; at most one turn. To
+  /// 1e-11.
   double arc(double begin, double end) const;
-  /// Part of the kernel within the circle. To 1e-11.
+  /// Fraction of the kernel inside the circle. To 1e-11.
   double whole() const;
 
  private:
@@ -26,7 +26,7 @@ class CircleSweep {
   const Kernel& kernel_;
   double d_;
   double R_;
-  double leaves_;  // angle at which the circle leaves the reach of the kernel
+  double leaves_;  // angle at which the circle leaves the support of the kernel
 };
 
 }  // namespace mikromakro

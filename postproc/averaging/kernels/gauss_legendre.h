@@ -9,8 +9,8 @@
 
 namespace mikromakro {
 
-/// Nodes in (-1, 1) and weights (their sum is 2) of the rule with `count` points, which is exact for
-/// polynomials of degree 2 count - 1.
+/// Nodes in (-1, 1) and weights (summing to 2) of the rule with `count` points, exact for polynomials of
+/// degree 2 count - 1.
 template <std::size_t count>
 struct GaussLegendre {
   std::array<double, count> nodes;
@@ -18,7 +18,7 @@ struct GaussLegendre {
 
   GaussLegendre() {
     for (std::size_t i = 0; i < count; ++i) {
-      // Tricomi's estimate of the root, then Newton's iteration, which doubles its digits in each step.
+      // Tricomi's estimate of the root, then Newton's method, which doubles the correct digits per step.
       double x = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.75) / (count + 0.5));
       double slope = 1;
       for (int step = 0; step < 6; ++step) {
@@ -39,7 +39,7 @@ struct GaussLegendre {
   }
 };
 
-/// Integral of f from a to b, on equal pieces that are no longer than `longest`.
+/// Integral of f from a to b, on equal pieces no longer than `longest`.
 template <std::size_t count, typename Function>
 double gauss_legendre(const Function& f, double a, double b, double longest) {
   static const GaussLegendre<count> rule;

@@ -10,7 +10,7 @@
 namespace mikromakro {
 namespace {
 
-// Edges along one axis, as seen from a point.
+// Edges along one axis, relative to a point.
 class Axis {
  public:
   Axis(std::vector<double> edges, const Kernel& kernel)
@@ -20,7 +20,7 @@ class Axis {
 
   Intervals reached(double x) const { return reached_intervals(edges_, x - reach_, x + reach_); }
 
-  // From the point to an edge, in widths.
+  // From the point to an edge, in kernel widths.
   double to_edge(int edge, double x) const { return (edges_[static_cast<std::size_t>(edge)] - x) / width_; }
 
  private:
@@ -57,7 +57,7 @@ class GaussGrid : public GridKernel {
   }
 
  private:
-  // Part of the kernel on the lower side of an edge; all of it is within its reach.
+  // Fraction of the kernel below an edge, taking all of it to lie within the reach.
   double below(const Axis& axis, int edge, double x) const {
     const double q = axis.to_edge(edge, x);
     if (std::abs(q) >= kernel_->reach()) return q < 0 ? 0 : 1;
@@ -86,7 +86,7 @@ class RadialGrid : public GridKernel {
     const Intervals rows = y_.reached(point[1]);
     if (columns.last <= columns.first) return;
     std::vector<double> below(static_cast<std::size_t>(columns.last - columns.first) + 1);
-    // Differences of corners give the outlines of the cells.
+    // Differences of the corners give the cell outlines.
     const auto corner = [&](int i, int j) {
       const double x = x_.to_edge(i, point[0]);
       const double y = y_.to_edge(j, point[1]);

@@ -10,8 +10,8 @@
 
 namespace mikromakro {
 
-/// Integral of a kernel around a point over each of the rectangles between successive edges along x and y
-/// (m, ascending; x first), to 1e-11: for Gauss a product of error functions, else in closed form by sweeps
+/// Integral of a kernel about a point over each of the rectangles between successive edges along x and y (m,
+/// ascending; x varies fastest), to 1e-11: a product of error functions for Gauss, else closed-form sweeps
 /// along the sides. Never throws.
 std::unique_ptr<const PointShares> grid_kernel(std::shared_ptr<const Kernel> kernel,
                                                std::vector<double> x_edges, std::vector<double> y_edges);

@@ -18,13 +18,13 @@ double leaves_at(double reach, double h) {
   return std::abs(h) < reach ? std::sqrt((reach - h) * (reach + h)) : 0;
 }
 
-// Angle between two places t_1 <= t_2 on a line, as seen from the centre; positive where it is on the left.
+// Angle between positions t_1 <= t_2 on a line, seen from the centre; positive if the centre is on the left.
 double angle_between(double h, double t_1, double t_2) {
   return std::atan2(h, t_1) - std::atan2(h, t_2);
 }
 
-// (1 - exp(-s/2))/s, s = q^2, as far as the kernel reaches: the exponential of a piece of 2 in s is met by
-// ten terms to 1e-13.
+// (1 - exp(-s/2))/s, s = q^2, over the reach of the kernel: on pieces of length 2 in s, ten terms approximate
+// it to 1e-13.
 const PiecewisePolynomial& gauss_table() {
   static const PiecewisePolynomial table([](double s) { return s < 1e-16 ? 0.5 : -std::expm1(-0.5 * s) / s; },
                                          {0, 50}, 2);

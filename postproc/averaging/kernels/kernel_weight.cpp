@@ -13,7 +13,8 @@
 namespace mikromakro {
 namespace {
 
-// Of a branch vector, each summed on its own. What is narrower is the weight of centres.
+// Maximum number of pieces of a branch vector, each integrated separately. A narrower kernel amounts to the
+// centre weight.
 constexpr double most_pieces = 1e4;
 
 class KernelShares : public Shares {

@@ -10,12 +10,12 @@
 
 namespace mikromakro {
 
-/// The field that is coarse-grained with a kernel W (integral over the plane 1), averaged over each volume:
+/// The field coarse-grained with a kernel W (unit integral over the plane), averaged over each volume:
 ///   w^p = integral over V of W(x - x_p) dA,
 /// so that sums w^p V^p Q^p/V are averages of sum_p W(x - x_p) V^p Q^p. A contact whose force is carried by a
-/// branch b counts by its line integral, int_0^1 w(x_p + s b) ds, with w the share of a point: divergence of
-/// stress and contact forces then balance (Goldhirsch2010, Weinhart2012). The line integral is taken by five
-/// Gauss-Legendre points on each Kernel::branch_piece: to 1e-8.
+/// branch b counts with the line integral int_0^1 w(x_p + s b) ds, where w is the share of a point; the
+/// divergence of the stress then balances the contact forces (Goldhirsch2010, Weinhart2012). The line
+/// integral uses five Gauss-Legendre points on each Kernel::branch_piece: to 1e-8.
 class KernelWeight : public Weight {
  public:
   explicit KernelWeight(std::unique_ptr<const Kernel> kernel) : kernel_(std::move(kernel)) {}
@@ -26,8 +26,8 @@ class KernelWeight : public Weight {
   std::shared_ptr<const Kernel> kernel_;
 };
 
-/// 1/(pi W^2) within the distance W: shares of points are exact areas. It is not continuous: line integrals,
-/// by five points on pieces of W/2, are good to 1e-4 only.
+/// 1/(pi W^2) within the distance W: shares of points are exact areas. Discontinuous, so line integrals (five
+/// points on pieces of W/2) are accurate to 1e-4 only.
 class TopHatWeight : public Weight {
  public:
   explicit TopHatWeight(double radius) : radius_(radius) {}
@@ -38,8 +38,8 @@ class TopHatWeight : public Weight {
   double radius_;
 };
 
-/// By a name such as gauss:0.004; empty where the name is that of no kernel. Throws where it is, but the
-/// width is missing, no number or not above 0.
+/// From a name such as gauss:0.004; null if the name is not that of a kernel. Throws if it is, but the width
+/// is missing, not a number or not above 0.
 std::unique_ptr<const Weight> make_kernel_weight(const std::string& name);
 
 }  // namespace mikromakro

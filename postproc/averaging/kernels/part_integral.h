@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Quadrature of what is inside of a kernel, along a line.
+// Quadrature of the enclosed fraction of a kernel along a line.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace mikromakro {
 
-/// One piece of integral_of_parts, with `count` Gauss-Legendre points. In passes over all of them, which the
-/// compiler can take several at a time.
+/// One piece of integral_of_parts, with `count` Gauss-Legendre points. Written as passes over all points,
+/// which the compiler can vectorise.
 template <std::size_t count, typename Along>
 double piece_of_parts(const Kernel& kernel, double a, double b, const Along& along) {
   static const GaussLegendre<count> rule;
@@ -27,8 +27,9 @@ double piece_of_parts(const Kernel& kernel, double a, double b, const Along& alo
   return sum * half;
 }
 
-/// Integral over x from a to b of f(x) e(q)/q^2: `along(x, square)` gives f(x) and sets square = q^2. The
-/// distance q changes by no more than `speed` times x. As many points as the kernel needs for 1e-11.
+/// Integral over x from a to b of f(x) e(q)/q^2, where `along(x, square)` returns f(x) and sets square = q^2.
+/// The distance q changes by at most `speed` times the change in x. Uses as many points as the kernel needs
+/// for 1e-11.
 template <typename Along>
 double integral_of_parts(const Kernel& kernel, double a, double b, double speed, const Along& along) {
   if (!(b > a)) return 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A function of one number as a table of polynomials.
+// A function of one variable as a table of polynomials.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,12 +8,12 @@
 
 namespace mikromakro {
 
-/// Polynomials of degree 9 that agree with a function at the Chebyshev points of each piece. A function with
-/// the smooth length L (its n-th derivative about sqrt(n!)/L^n) is met to 1e-11 by pieces of 0.7 L.
+/// Polynomials of degree 9 that interpolate a function at the Chebyshev points of each piece. For a function
+/// with smooth length L (n-th derivative about sqrt(n!)/L^n), pieces of 0.7 L give 1e-11.
 class PiecewisePolynomial {
  public:
-  /// Between the first and the last of `breaks`, which ascend, in pieces that are no longer than `longest`
-  /// and end at the breaks: where the function is less smooth. Throws what the function throws.
+  /// Interpolates between the first and the last of the ascending `breaks`, in pieces that are no longer than
+  /// `longest` and end at the breaks, where the function is less smooth. Throws what the function throws.
   PiecewisePolynomial(const std::function<double(double)>& function, const std::vector<double>& breaks,
                       double longest);
 
@@ -26,7 +26,7 @@ class PiecewisePolynomial {
     const int piece = along < stretch.last ? static_cast<int>(along) : static_cast<int>(stretch.last);
     const double* c = polynomials_[stretch.first + static_cast<std::size_t>(piece)].data();
     const double t = 2 * (along - piece) - 1;
-    // In two chains, that do not wait for each other.
+    // Two chains without dependencies between them.
     const double s = t * t;
     const double even = c[0] + s * (c[2] + s * (c[4] + s * (c[6] + s * c[8])));
     const double odd = c[1] + s * (c[3] + s * (c[5] + s * (c[7] + s * c[9])));
@@ -39,9 +39,9 @@ class PiecewisePolynomial {
   // Equal pieces between two breaks.
   struct Stretch {
     double begin;
-    double per_length;  // pieces over length
-    double last;        // number of the last piece
-    std::size_t first;  // of its polynomials
+    double per_length;  // pieces per length
+    double last;        // index of the last piece
+    std::size_t first;  // index of its first polynomial
   };
 
   std::vector<Stretch> stretches_;

@@ -18,7 +18,7 @@ constexpr double piece_of_smooth_length = 0.5;
 PiecewisePolynomial circle_table(const Kernel& kernel, double R) {
   const double reach = kernel.reach() * kernel.width();
   std::vector<double> breaks = {std::max(R - reach, 0.0), R, R + reach};
-  // A circle that the kernel may hold as a whole.
+  // The circle may fit entirely within the kernel.
   if (R < reach && reach - R != R) breaks.push_back(reach - R);
   std::sort(breaks.begin(), breaks.end());
   if (R == 0) breaks = {0, reach};

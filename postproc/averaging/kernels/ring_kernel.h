@@ -10,9 +10,9 @@
 
 namespace mikromakro {
 
-/// Integral of a kernel around a point over each of the rings between successive `edges` (m, ascending from
-/// 0 or more) around `centre`, from tables by the distance for each edge; to 1e-10. Throws (bad input) for
-/// more than 10000 rings: 2 kB for each would be too much.
+/// Integral of a kernel about a point over each of the rings between successive `edges` (m, ascending from 0
+/// or more) around `centre`, from one table over the distance per edge; to 1e-10. Throws (bad input) for more
+/// than 10000 rings, since each takes 2 kB.
 class RingKernel : public PointShares {
  public:
   RingKernel(const Kernel& kernel, const Eigen::Vector2d& centre, std::vector<double> edges);
@@ -24,7 +24,7 @@ class RingKernel : public PointShares {
   Eigen::Vector2d centre_;
   std::vector<double> edges_;
   double reach_;                              // m
-  std::vector<PiecewisePolynomial> circles_;  // part within each edge, by the distance in m
+  std::vector<PiecewisePolynomial> circles_;  // fraction inside each edge, by the distance in m
 };
 
 }  // namespace mikromakro

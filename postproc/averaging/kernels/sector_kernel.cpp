@@ -10,8 +10,8 @@
 namespace mikromakro {
 namespace {
 
-// A straight side as the kernel sees it, in its widths: the distance at which the line passes with the centre
-// on its left, and how far from the rings' centre the point nearest to the kernel's centre is.
+// A straight side relative to the kernel, in kernel widths: the distance at which the line passes with the
+// centre on its left, and the distance from the rings' centre to the point nearest to the kernel's centre.
 struct Line {
   double h;
   double foot;
@@ -38,12 +38,12 @@ void SectorKernel::add(const Eigen::Vector2d& point, double factor, ShareSums& s
   const double direction = std::atan2(arm[1], arm[0]);
   const auto [first, last] = volumes_.sectors_near(direction, distance, reach);
   const auto count = static_cast<std::size_t>(last - first);
-  // Angles from the direction of the kernel's centre, and the sides that begin there.
+  // Angles from the direction of the kernel's centre, and the sides at these angles.
   std::vector<double> angles;
   std::vector<Line> lines;
   for (int i = first; i <= last; ++i) {
     angles.push_back(volumes_.angle(i) - direction);
-    // A whole turn comes back to the same side.
+    // After a full turn it is the same side again.
     lines.emplace_back(i - first == sectors ? lines.front() : Line(distance / width, angles.back()));
   }
   const std::vector<double>& edges = rings.edges();

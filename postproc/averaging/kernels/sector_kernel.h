@@ -12,8 +12,8 @@ namespace mikromakro {
 
 class SectorVolumes;
 
-/// Integral of a kernel around a point over each sector, by quadrature along its sides (closed form along
-/// straight ones where the kernel has one): to 1e-10. The volumes must live as long as it. Never throws.
+/// Integral of a kernel about a point over each sector, by quadrature along its sides (closed form along
+/// straight sides if the kernel has one): to 1e-10. The volumes must outlive this object. Never throws.
 class SectorKernel : public PointShares {
  public:
   SectorKernel(std::shared_ptr<const Kernel> kernel, const SectorVolumes& volumes)

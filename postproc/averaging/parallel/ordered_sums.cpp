@@ -11,13 +11,13 @@
 namespace mikromakro {
 namespace {
 
-// The frames under way: every thread that finds nothing better to do reads the next one and sums it.
+// The frames in flight: each thread without other work reads the next frame and sums it.
 class FramesUnderWay {
  public:
   FramesUnderWay(const NextFrame& next, const SumFrame& sum, int threads)
       : next_(next), sum_(sum), most_(2 * threads + 2) {}
 
-  // For the threads beside the calling one, until there are no more frames to read.
+  // Loop of the worker threads, until there are no more frames to read.
   void work() {
     Frame frame;
     Lock lock(mutex_);
@@ -30,7 +30,7 @@ class FramesUnderWay {
     }
   }
 
-  // For the calling thread: sums that are next in order go first.
+  // Loop of the calling thread: handing over the sums that are next in order has priority.
   void take_all(const TakeSums& take) {
     Frame frame;
     Lock lock(mutex_);
@@ -60,7 +60,7 @@ class FramesUnderWay {
 
  private:
   using Lock = std::unique_lock<std::mutex>;
-  // An error has its place among the frames like sums have.
+  // Errors are ordered with the sums.
   struct Outcome {
     FrameSums sums;
     std::exception_ptr error;
@@ -68,7 +68,7 @@ class FramesUnderWay {
 
   bool may_read() const { return !over_ && !reading_ && read_ - taken_ < most_; }
 
-  // Without the lock for as long as the work takes.
+  // Releases the lock while working.
   void read_and_sum(Frame& frame, Lock& lock) {
     Outcome outcome;
     MakeFrame make;
@@ -109,13 +109,13 @@ class FramesUnderWay {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::map<std::int64_t, Outcome> done_;
-  std::int64_t read_ = 0;   // frames that were read
+  std::int64_t read_ = 0;   // frames read so far
   std::int64_t taken_ = 0;  // of these, handed over
   bool reading_ = false;
   bool over_ = false;
 };
 
-// The other threads end before the frames under way do, whatever the calling one throws.
+// Joins the worker threads before the frames are destroyed, whatever the calling thread throws.
 class OtherThreads {
  public:
   OtherThreads(FramesUnderWay& frames, int count) : frames_(frames) {

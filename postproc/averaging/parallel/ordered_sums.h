@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sums of frames on several threads, in the order of the frames.
+// Sums frames on several threads, in frame order.
 #pragma once
 
 #include <cstdint>
@@ -10,27 +10,28 @@
 
 namespace mikromakro {
 
-/// What is summed over one frame.
+/// The sums over one frame.
 struct FrameSums {
-  std::int64_t index = 0;  ///< of the frame, see Frame
+  std::int64_t index = 0;  ///< see Frame::index
   std::int64_t step = 0;
-  std::int64_t run = 0;  ///< of the frame, see Frame
+  std::int64_t run = 0;  ///< see Frame::run
   Rows sums;
 };
 
-/// Finds the next frame and gives the rest of the work to make it, nothing when there is none. Never called
-/// by two threads at once; what it gives is called by the same thread, but beside others.
+/// Locates the next frame and returns the function that builds it; empty if there is none. Never called
+/// concurrently. The returned function is called by the same thread, concurrently with those of other
+/// threads.
 using NextFrame = std::function<MakeFrame()>;
-/// Makes the sums of a frame, of this frame only; called by several threads at once.
+/// Computes the sums of one frame, from that frame alone; called concurrently.
 using SumFrame = std::function<Rows(const Frame&)>;
-/// Takes the sums of a frame.
+/// Receives the sums of a frame.
 using TakeSums = std::function<void(const FrameSums&)>;
 
-/// Takes frame after frame from `next`, sums each by `sum` and gives the sums to `take`, in the order of
-/// the frames and from the calling thread only: the result does not depend on `threads` (>= 1, the calling
-/// one included), to the last bit. Frames are found by one thread at a time while the others make and sum
-/// theirs; at most 2 threads + 2 frames are under way, so that memory does not grow with their number. Passes
-/// on what `next` throws, after all earlier frames were taken, and what `take` throws.
+/// Takes frames from `next`, sums each with `sum` and passes the sums to `take`, in frame order and from the
+/// calling thread only: the result is bitwise independent of `threads` (>= 1, including the caller). One
+/// thread at a time locates a frame while the others build and sum theirs. At most 2 threads + 2 frames are
+/// in flight, so memory does not grow with the number of frames. Rethrows what `next` throws, after all
+/// earlier frames have been taken, and what `take` throws.
 void sum_in_order(const NextFrame& next, const SumFrame& sum, int threads, const TakeSums& take);
 
 /// The same for the sums of one averager.

@@ -21,7 +21,7 @@ int environment_number(const char* name, int otherwise) {
   return text == nullptr ? otherwise : std::atoi(text);
 }
 
-// What `action` throws, as the Error that all ranks can throw.
+// What `action` throws, as an Error that all ranks can throw.
 std::optional<Error> error_of(const std::function<void()>& action) {
   try {
     action();
@@ -33,8 +33,7 @@ std::optional<Error> error_of(const std::function<void()>& action) {
   return std::nullopt;
 }
 
-// Throws on all ranks where there is an error on any: that of the smallest `order`, then of the smallest
-// rank.
+// Throws on all ranks if any has an error: the one with the smallest `order`, then the lowest rank.
 void settle(const std::optional<Error>& own, std::int64_t order) {
   constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
   int rank = 0;
@@ -59,8 +58,8 @@ void settle(const std::optional<Error>& own, std::int64_t order) {
   throw Error(static_cast<Error::Kind>(kind_and_length[0]), text);
 }
 
-// Collects the sums of this rank and exchanges them in rounds, in which every rank that is not yet at its end
-// has the same number of frames: so no frame of a later round lies before one of this round.
+// Collects the sums of this rank and exchanges them in rounds in which every unfinished rank has the same
+// number of frames, so that no frame of a later round precedes one of this round.
 class Rounds {
  public:
   Rounds(const Ranks& ranks, const TakeSums& take, std::int64_t most_bytes)
@@ -73,9 +72,9 @@ class Rounds {
     if (std::ssize(waiting_) >= std::min(frames, most_frames)) exchange(std::nullopt, false);
   }
 
-  // True when all ranks are at their end.
+  // True when all ranks are finished.
   bool exchange(const std::optional<Error>& own, bool at_end) {
-    over_ = true;  // if this throws, all ranks do
+    over_ = true;  // if this throws, all ranks throw
     settle(own, std::ssize(waiting_));
     collect(at_end);
     ranks_.agree([this] {
@@ -87,7 +86,7 @@ class Rounds {
     return over_;
   }
 
-  // Whether the ranks have agreed on the end, by an error or without.
+  // Whether the ranks have agreed to finish, with or without an error.
   bool over() const { return over_; }
 
  private:
@@ -96,7 +95,7 @@ class Rounds {
     std::int64_t frames, rows, columns, at_end;
   };
 
-  // All waiting sums to rank 0.
+  // Sends all waiting sums to rank 0.
   void collect(bool at_end) {
     Header mine{std::ssize(waiting_), 0, 0, at_end ? 1 : 0};
     if (!waiting_.empty())
@@ -137,7 +136,7 @@ class Rounds {
   const TakeSums& take_;
   std::int64_t most_bytes_;
   std::vector<FrameSums> waiting_;    // of this rank
-  std::vector<FrameSums> collected_;  // of all, on rank 0
+  std::vector<FrameSums> collected_;  // of all ranks, on rank 0
   bool all_at_end_ = false;
   bool over_ = false;
 };
@@ -173,7 +172,7 @@ void Ranks::agree(const std::function<void()>& action) const {
 }
 
 FrameSelection Ranks::own_part(FrameSelection selection) const {
-  // A stride beyond all frames selects one frame at most, and that is rank 0's.
+  // A stride beyond all frames selects at most one frame, which is left to rank 0.
   constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() / 4;
   if (selection.stride > most / size_ || selection.first > most) {
     return rank_ > 0 ? FrameSelection::none() : selection;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The ranks of a run under mpirun: the only place that knows MPI.
+// The ranks of an mpirun; the only interface to MPI.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@
 
 namespace mikromakro {
 
-/// Whether Open MPI's mpirun started this process beside others, and as which of them (0 if it did not).
+/// Whether Open MPI's mpirun started this process as one of several, and its rank (0 if not).
 bool under_mpirun();
 int launched_rank();
 
-/// Initialises MPI where under_mpirun(), so that a serial start stays quick, and ends it.
+/// Initialises MPI if under_mpirun(), so that serial runs start quickly, and finalises it.
 class Ranks {
  public:
   Ranks();
@@ -28,20 +28,20 @@ class Ranks {
   int size() const { return size_; }
   bool first() const { return rank_ == 0; }
 
-  /// Every rank does `action`; where it throws on any, all throw the error of the first of these. All ranks
-  /// call it together. An exception that is no Error becomes a failed run.
+  /// Runs `action` on every rank; if it throws on any, all ranks throw the error of the lowest such rank.
+  /// Collective. An exception other than Error becomes a failed run.
   void agree(const std::function<void()>& action) const;
 
   /// The frames of this rank: r, r + P, ... of the selected ones.
   FrameSelection own_part(FrameSelection selection) const;
 
-  /// Rank 0 gets the notes of all. All ranks call it together.
+  /// Collects the notes of all ranks on rank 0. Collective.
   void gather(Notes& notes) const;
 
-  /// Gives the sums of all ranks' frames to `take` on rank 0, in the order of the frames. `run` is
-  /// called on every rank; it gives the sums of the rank's own frames, in their order, to its argument. Sums
-  /// wait for those of other ranks in rounds of at most `most_bytes` per rank. Where `run` throws on any
-  /// rank, all throw the error that a single rank would have met first. All ranks call it together.
+  /// Passes the sums of all ranks' frames to `take` on rank 0, in frame order. `run` is called on every rank
+  /// and passes the sums of the rank's own frames, in order, to its argument. Sums are exchanged in rounds of
+  /// at most `most_bytes` per rank. If `run` throws on any rank, all ranks throw the error that a serial run
+  /// would have met first. Collective.
   void gather_in_order(const std::function<void(const TakeSums&)>& run, const TakeSums& take,
                        std::int64_t most_bytes = 1 << 22) const;
 

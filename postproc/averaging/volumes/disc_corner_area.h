@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Parts of a disc's area cut off at corners: what exact areas in rectangles and sectors are made of.
+// Areas of a disc cut off at corners, from which exact areas in rectangles and sectors are computed.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +11,15 @@
 
 namespace mikromakro {
 
-// By Green's theorem, the area of a disc (centre 0, radius 1) within a closed outline is the integral of
-// min(1, |p|^2)/2 dtheta along the outline, theta the direction of p as seen from the centre: the triangles
-// and segments below the outline where it runs within the disc, a sector of the disc's angle where it runs
-// outside. It is continuous in everything, wherever the centre lies. The sweeps below are such integrals in
-// closed form, odd in the place at which they end; a piece of an outline is the difference of two.
+// By Green's theorem, the area of a disc (centre 0, radius 1) inside a closed outline is the integral of
+// min(1, |p|^2)/2 dtheta along the outline, with theta the direction of p seen from the centre: the triangles
+// and segments below the outline where it runs inside the disc, a circular sector of the same angle where it
+// runs outside. It is continuous in all arguments, wherever the centre lies. The sweeps below are such
+// integrals in closed form, odd in their end point; a piece of an outline is the difference of two.
 
-/// Along a straight line from the point nearest to the centre to `t` further on; the line passes at the
-/// distance `h` with the centre on its left (negative: on its right). Both by the disc's radius, as the
-/// result by its square; t may be infinite. Never throws.
+/// Along a straight line from the point nearest to the centre over a length `t`; the line passes at distance
+/// `h` with the centre on its left (negative: on its right). Both in units of the disc's radius, the result
+/// in units of its square; t may be infinite. Never throws.
 inline double line_sweep(double h, double t) {
   const double leaves = std::abs(h) < 1 ? std::sqrt((1 - h) * (1 + h)) : 0;
   const double x = std::abs(t);
@@ -28,8 +28,8 @@ inline double line_sweep(double h, double t) {
   return std::copysign(0.5, t) * (h * leaves + outside);
 }
 
-/// Area of the disc of radius 1 around 0 where X < x and Y < y; infinite x or y give a half-plane or all of
-/// it. To a rounding of the disc's area. Never throws.
+/// Area of the unit disc about 0 with X < x and Y < y; infinite x or y give a half-plane or the whole plane.
+/// To rounding of the disc's area. Never throws.
 inline double disc_quadrant_area(double x, double y) {
   constexpr double pi = std::numbers::pi;
   constexpr double far = std::numeric_limits<double>::infinity();
@@ -42,11 +42,11 @@ inline double disc_quadrant_area(double x, double y) {
   return std::max(pi / 4 + up + back, 0.0);
 }
 
-/// Along the circle of radius R >= 0 around an origin d away from the disc's centre, counter-clockwise over
-/// the angle `delta` in [-pi, pi] from the direction of that centre; a > 0 is the disc's radius. In the unit
-/// of a^2. Never throws.
+/// Along the circle of radius R >= 0 about an origin at distance d from the disc's centre, counter-clockwise
+/// over the angle `delta` in [-pi, pi] from the direction of that centre; a > 0 is the disc's radius. In
+/// units of a^2. Never throws.
 ///
-/// Within the disc: R/2 ((R - d) delta + d (delta - sin delta)), the second difference by its series.
+/// Inside the disc: R/2 ((R - d) delta + d (delta - sin delta)), the second difference by its series.
 inline double arc_sweep(double d, double a, double R, double delta) {
   const double x = std::min(std::abs(delta), std::numbers::pi);
   const double leaves = circle_half_angle(d, a, R);
@@ -60,10 +60,10 @@ inline double arc_sweep(double d, double a, double R, double delta) {
   return delta < 0 ? -sweep : sweep;
 }
 
-/// The corner at radius R and angle `delta` (as above, but any number of turns) of sectors of rings around
-/// the origin: the area of the disc in R_1 <= r < R_2, delta_1 <= delta < delta_2 is
+/// The corner at radius R and angle `delta` (as above, but any number of turns) of sectors of rings about the
+/// origin: the area of the disc in R_1 <= r < R_2, delta_1 <= delta < delta_2 is
 ///   c(R_2, delta_2) - c(R_2, delta_1) - c(R_1, delta_2) + c(R_1, delta_1).
-/// In the unit of a^2. Never throws.
+/// In units of a^2. Never throws.
 inline double sector_corner(double d, double a, double R, double delta) {
   constexpr double turn = 2 * std::numbers::pi;
   const double turns = std::nearbyint(delta / turn);

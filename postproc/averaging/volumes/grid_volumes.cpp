@@ -31,7 +31,7 @@ int interval_of(const std::vector<double>& edges, double x) {
   return static_cast<int>(std::upper_bound(edges.begin(), edges.end(), x) - edges.begin()) - 1;
 }
 
-// Whether all of a disc lies in one interval, along one axis.
+// Whether a disc lies entirely in one interval along one axis.
 bool is_within(const std::vector<double>& edges, const Intervals& reached, double centre, double radius) {
   return reached.last == reached.first + 1 &&
          edges[static_cast<std::size_t>(reached.first)] <= centre - radius &&
@@ -69,12 +69,12 @@ void GridVolumes::slice(const Eigen::Vector2d& centre, double radius, std::vecto
   const Intervals x = reached_intervals(x_edges_, centre[0] - radius, centre[0] + radius);
   const Intervals y = reached_intervals(y_edges_, centre[1] - radius, centre[1] + radius);
   if (x.first >= x.last) return;
-  // Most discs of large rectangles.
+  // Fast path for most discs if rectangles are large.
   if (is_within(x_edges_, x, centre[0], radius) && is_within(y_edges_, y, centre[1], radius)) {
     shares.push_back({y.first * columns_of_cells() + x.first, 1.0});
     return;
   }
-  // Part of the disc left of and below an edge of x and one of y.
+  // Fraction of the disc to the left of an x edge and below a y edge.
   const auto corner = [&](int i, int j) {
     return disc_quadrant_area((x_edges_[static_cast<std::size_t>(i)] - centre[0]) / radius,
                               (y_edges_[static_cast<std::size_t>(j)] - centre[1]) / radius) /

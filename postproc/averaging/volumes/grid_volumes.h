@@ -8,9 +8,9 @@
 
 namespace mikromakro {
 
-/// Rectangles x_edges[i] <= x < x_edges[i+1], y_edges[j] <= y < y_edges[j+1] (m), x first: number j N_x + i;
-/// with the basis (e_x, e_y). Throws (bad input): fewer than two edges, edges that do not ascend, height <=
-/// 0.
+/// Rectangles x_edges[i] <= x < x_edges[i+1], y_edges[j] <= y < y_edges[j+1] (m), x varying fastest: index j
+/// N_x + i; basis (e_x, e_y). Throws (bad input) on fewer than two edges, edges that do not ascend, and
+/// height <= 0.
 class GridVolumes : public Volumes {
  public:
   GridVolumes(std::vector<double> x_edges, std::vector<double> y_edges, double height);
@@ -41,7 +41,7 @@ class GridVolumes : public Volumes {
 };
 
 /// Edges of `count` equal intervals from `low` to `high` (m). Throws, naming `option`, unless low < high,
-/// both finite, and count >= 1.
+/// both are finite, and count >= 1.
 std::vector<double> equal_grid_edges(double low, double high, int count, std::string_view option);
 
 }  // namespace mikromakro

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which intervals between ascending edges something reaches into.
+// The intervals between ascending edges that a range overlaps.
 #pragma once
 
 #include <algorithm>
@@ -7,13 +7,13 @@
 
 namespace mikromakro {
 
-/// From the first to before the last.
+/// Half-open index range: first <= i < last.
 struct Intervals {
   int first;
   int last;
 };
 
-/// Those that have more than an end in common with [low, high]; none where both are equal.
+/// The intervals that share more than an end point with [low, high]; none if low == high.
 inline Intervals reached_intervals(const std::vector<double>& edges, double low, double high) {
   const auto first = std::upper_bound(edges.begin() + 1, edges.end(), low) - edges.begin() - 1;
   const auto last = std::lower_bound(edges.begin(), edges.end() - 1, high) - edges.begin();

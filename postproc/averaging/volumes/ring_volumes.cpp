@@ -66,7 +66,7 @@ Eigen::Matrix2d RingVolumes::basis(const Eigen::Vector2d& point) const {
 void RingVolumes::slice(const Eigen::Vector2d& centre, double radius, std::vector<Share>& shares) const {
   const double distance = (centre - centre_).norm();
   const double disc_area = std::numbers::pi * radius * radius;
-  // The first ring that reaches beyond the disc's point nearest to the centre.
+  // The first ring that extends beyond the disc's point nearest to the centre.
   const auto first = std::upper_bound(edges_.begin() + 1, edges_.end(), distance - radius);
   if (first == edges_.end()) return;
   double inside = disc_circle_area(distance, radius, *(first - 1));

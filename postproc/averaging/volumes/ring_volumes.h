@@ -7,8 +7,8 @@
 namespace mikromakro {
 
 /// Rings edges[k] <= r < edges[k+1] around `centre` (m), with the polar basis (e_r, e_phi) at each point; at
-/// the centre itself e_r is the x direction. Throws (bad input): fewer than two edges, edges that do not
-/// ascend from 0 or more, height <= 0.
+/// the centre e_r is the x direction. Throws (bad input) on fewer than two edges, edges that do not ascend
+/// from 0 or more, and height <= 0.
 class RingVolumes : public Volumes {
  public:
   RingVolumes(const Eigen::Vector2d& centre, std::vector<double> edges, double height);

@@ -47,9 +47,9 @@ void SectorVolumes::slice(const Eigen::Vector2d& centre, double radius, std::vec
   const double direction = std::atan2(arm[1], arm[0]);
   const double area = std::numbers::pi * radius * radius;
   const auto [first, last] = sectors_near(direction, distance, radius);
-  // Part of the disc within a ring's edge, from anywhere on to where a sector begins.
+  // Fraction of the disc inside a ring's edge, from an arbitrary direction up to the beginning of a sector.
   const auto corner = [&, first = first](double edge, int sector) {
-    // A whole turn comes back to the same line, not to one with an angle rounded otherwise.
+    // A full turn uses the same line again, rather than one whose angle is rounded differently.
     const bool turned = sector - first == sectors_;
     const double delta = angle(turned ? first : sector) - direction;
     const double turn = turned ? disc_circle_area(distance, radius, edge) : 0;
@@ -79,7 +79,7 @@ int SectorVolumes::find(const Eigen::Vector2d& point) const {
   double direction = std::atan2(arm[1], arm[0]);
   if (direction < 0) direction += 2 * std::numbers::pi;
   int sector = std::min(static_cast<int>(direction / angle(1)), sectors_ - 1);
-  // The angles of the edges decide, not the rounding of the quotient.
+  // Decide by the angles of the edges, not by the rounded quotient.
   if (sector > 0 && direction < angle(sector)) --sector;
   if (sector < sectors_ - 1 && direction >= angle(sector + 1)) ++sector;
   return ring * sectors_ + sector;

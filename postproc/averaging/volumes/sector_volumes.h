@@ -9,7 +9,7 @@
 namespace mikromakro {
 
 /// Each ring of `rings` divided at the angles 2 pi m/M, m = 0 ... M, counter-clockwise from the x direction;
-/// number k M + m in ring k. The polar basis of the rings. Throws (bad input) unless M >= 1.
+/// index k M + m in ring k. Uses the polar basis of the rings. Throws (bad input) unless M >= 1.
 class SectorVolumes : public Volumes {
  public:
   SectorVolumes(std::unique_ptr<const RingVolumes> rings, int sectors);
@@ -27,15 +27,15 @@ class SectorVolumes : public Volumes {
   Rows coordinates() const override;
 
   const RingVolumes& rings() const { return *rings_; }
-  /// Where a sector begins (rad, from the x direction); for any number of turns, -1 is the last one.
+  /// Angle at which a sector begins (rad, from the x direction); any number of turns, -1 is the last sector.
   double angle(int sector) const;
-  /// Numbers over any number of turns, at most a turn: from the first to before the last.
+  /// Half-open range of sector indices, possibly wrapped, spanning at most one turn.
   struct SectorRange {
     int first;
     int last;
   };
-  /// The sectors that a disc reaches into, given the direction and the distance of its centre from that of
-  /// the rings; all of them around the centre.
+  /// The sectors that a disc overlaps, from the direction and distance of its centre relative to that of the
+  /// rings; all of them if it covers the centre.
   SectorRange sectors_near(double direction, double distance, double radius) const;
 
  private:

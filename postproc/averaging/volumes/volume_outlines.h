@@ -6,9 +6,9 @@
 
 namespace mikromakro {
 
-/// Rings (columns r_inner, r_outer) and sectors (phi_begin, phi_end, too) as polygons of 2 degrees or less
-/// around `center`, so that they look round; rectangles (x_min, x_max, y_min, y_max) as they are. Rows
-/// without numbers there give none.
+/// Rings (columns r_inner, r_outer) and sectors (also phi_begin, phi_end) as polygons of at most 2 degrees
+/// per side around `center`, so that they look round; rectangles (x_min, x_max, y_min, y_max) as they are.
+/// Rows with undefined coordinates have no outline.
 std::vector<Outline> volume_outlines(const Table& table, const Eigen::Vector2d& center);
 
 }  // namespace mikromakro

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The volumes over which is averaged: one of the three independent choices (volumes, weight, fields).
+// Averaging volumes: one of the three independent choices (volumes, weight, fields).
 #pragma once
 
 #include <Eigen/Core>
@@ -13,10 +13,10 @@
 
 namespace mikromakro {
 
-/// Parts of a disc below this are rounding and left out where areas come as differences of areas at corners.
+/// Smaller fractions of a disc are rounding errors and dropped where areas are differences of corner areas.
 inline constexpr double smallest_share = 4e-15;
 
-/// A list of volumes of thickness h, each with an area, and the basis in which tensors are written.
+/// A list of volumes of thickness h, each with an area, and the basis in which tensors are expressed.
 class Volumes {
  public:
   Volumes() = default;
@@ -30,23 +30,23 @@ class Volumes {
   /// V = area * h (m^3) of each volume.
   virtual Eigen::ArrayXd measure() const = 0;
   virtual Axes axes() const = 0;
-  /// Rotation whose rows are the two directions of the basis at a point (m).
+  /// Rotation whose rows are the two basis directions at a point (m).
   virtual Eigen::Matrix2d basis(const Eigen::Vector2d& point) const = 0;
 
-  /// The smallest rectangle that holds all of them (m).
+  /// The bounding rectangle of all volumes (m).
   virtual Box bounds() const = 0;
 
-  /// Middle radius of each ring, ascending (m); empty where the volumes are not a sequence of rings.
+  /// Middle radius of each ring, ascending (m); empty if the volumes are not a sequence of rings.
   virtual Eigen::ArrayXd radii() const { return {}; }
 
-  /// Appends the volumes that the disc touches, each once, with the part of its area in each.
+  /// Appends the volumes that the disc overlaps, each once, with the fraction of its area in each.
   virtual void slice(const Eigen::Vector2d& centre, double radius, std::vector<Share>& shares) const = 0;
-  /// The volume that holds the point, -1 for none.
+  /// The volume that contains the point, -1 if none does.
   virtual int find(const Eigen::Vector2d& point) const = 0;
-  /// Integrals of a kernel around a point over each volume. The volumes must live as long as the result.
+  /// Integrals of a kernel about a point over each volume. The volumes must outlive the result.
   virtual std::unique_ptr<const PointShares> point_shares(std::shared_ptr<const Kernel> kernel) const = 0;
 
-  /// Columns that tell where a volume lies, and their values.
+  /// Columns that describe the position of a volume, and their values.
   virtual std::vector<Column> columns() const = 0;
   virtual Rows coordinates() const = 0;
 };

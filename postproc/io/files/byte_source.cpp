@@ -29,7 +29,7 @@ OpenFile open_file(const std::string& file) {
 
 class PlainSource : public ByteSource {
  public:
-  // The blocks that are asked for are large: no buffer between.
+  // Unbuffered, since the requested blocks are large.
   explicit PlainSource(OpenFile file) : file_(std::move(file)) {}
 
   std::size_t read(std::span<char> room, const Place& place) override {
@@ -88,7 +88,7 @@ class ZstdSource : public ByteSource {
     while (out.pos == 0) {
       const bool more = in_.pos < in_.size || refill();
       if (!more && wanted_ == 0) return 0;
-      // At the end of a cut file what has been decompressed may still be on its way.
+      // At the end of a truncated file the decoder may still hold output.
       wanted_ = ZSTD_decompressStream(stream_.get(), &out, &in_);
       if (ZSTD_isError(wanted_) != 0) complain(place, ZSTD_getErrorName(wanted_));
       if (!more && out.pos == 0) return 0;
@@ -97,7 +97,7 @@ class ZstdSource : public ByteSource {
   }
 
   std::int64_t bytes_read() const override { return bytes_; }
-  // A zstd frame that wants more bytes.
+  // The zstd frame needs more bytes.
   bool cut() const override { return wanted_ != 0 && in_.pos == in_.size && std::feof(file_.get()) != 0; }
 
  private:

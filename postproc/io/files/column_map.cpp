@@ -11,7 +11,7 @@
 namespace mikromakro {
 namespace {
 
-// Columns of stock dumps that have no use in the plane, accepted so that a list can follow the stock names.
+// Columns of stock dumps without use in the plane, accepted so that a list can follow the stock names.
 constexpr std::string_view ignored_particle_names[] = {"z", "vz", "omegax", "omegay", "fx", "fy", "fz"};
 
 int slot_of(std::string_view name, const ColumnNames& names) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which column of a dump holds which quantity.
+// Maps the columns of a dump to quantities.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,9 @@
 
 namespace mikromakro {
 
-/// For each column of the file the slot (index of the quantity) that it fills, -1 for a column that nobody
-/// asks for.
+/// For each column of the file, the slot (index of the quantity) that it fills; -1 for unused columns.
 struct ColumnMap {
-  /// A column that stands in the file again: it must hold the number that is in the slot already.
+  /// A repeated column, which must hold the number already in the slot.
   struct Repeat {
     std::size_t column;
     int slot;
@@ -27,29 +26,30 @@ struct ColumnMap {
   std::vector<Repeat> repeats = {};
 };
 
-/// What a kind of dump may contain.
+/// Column names of a kind of dump.
 struct ColumnNames {
   std::span<const std::string_view> known;    ///< by slot
-  std::span<const std::string_view> ignored;  ///< names that a user's list may contain without any use
-  std::string_view option;                    ///< the option that gives names where the file has none
+  std::span<const std::string_view> ignored;  ///< accepted in a user's list, but unused
+  std::string_view option;                    ///< the option that names the columns if the file does not
 };
 const ColumnNames& particle_names();
 const ColumnNames& contact_names();
 const ColumnNames& wall_contact_names();
 
-/// Map from the names in the file's header; names that we do not know are skipped. One that is there twice
-/// (LIGGGHTS writes what it is told) is a repeat. Throws where there are no names.
+/// Map from the names in the file's header; unknown names are skipped, repeated ones (LIGGGHTS writes
+/// whatever it is asked for) become repeats. Throws if there are no names.
 ColumnMap map_header(const std::vector<std::string>& header, const ColumnNames& names, const Place& place);
 
-/// Map from the user's list, '-' for a column to skip. Throws when the list has another length than the
-/// header (unless that names no columns: rows will be counted) or a name that is unknown or there twice.
+/// Map from the user's list, with '-' for columns to skip. Throws if the length of the list differs from that
+/// of the header (unless the header names no columns: rows are then counted), and on unknown or repeated
+/// names.
 ColumnMap map_option(const std::vector<std::string>& list, std::size_t columns, const ColumnNames& names,
                      const Place& place);
 
-/// Skips all columns but these.
+/// Skips all columns except these.
 void keep_columns(ColumnMap& map, ColumnSet columns);
 
-/// Throws, naming the missing columns, unless all of `needed` are given.
+/// Throws, naming the missing columns, unless all `needed` columns are given.
 void require_columns(const ColumnMap& map, ColumnSet needed, const ColumnNames& names, const Place& place);
 
 }  // namespace mikromakro

@@ -22,7 +22,7 @@ struct Kind {
 constexpr std::string_view decompress = "plain text, gzip or zstd (decompress it, or pack it anew)";
 constexpr std::string_view dump = "a text dump as `dump custom` and `dump local` write it";
 
-// The marks of the formats' own descriptions.
+// Signatures from the format specifications.
 constexpr Kind kinds[] = {
     {"\xfd"
      "7zXZ\0"sv,
@@ -52,8 +52,8 @@ constexpr Kind kinds[] = {
     {"\xfe\xff"sv, "UTF-16", "text of one byte per character (UTF-8)"},
 };
 
-// Binary dumps of LAMMPS: minus the length of the mark, as 8 bytes, then the mark; before 2020 the step and
-// the number of atoms, which leave zero bytes where no text has any.
+// Binary dumps of LAMMPS: minus the length of the signature, as 8 bytes, then the signature; before 2020, the
+// step and the number of atoms, which contain zero bytes where text has none.
 bool is_binary_dump(std::string_view bytes) {
   constexpr std::size_t mark = 8;
   return bytes.size() > mark &&

@@ -17,7 +17,7 @@ namespace mikromakro {
 std::vector<std::string> expand_files(const std::vector<std::string>& patterns) {
   std::vector<std::string> files;
   for (const std::string& pattern : patterns) {
-    // A name may have brackets.
+    // An existing file name may contain brackets.
     if (std::error_code code; std::filesystem::exists(pattern, code)) {
       check_regular(pattern);
       files.push_back(pattern);

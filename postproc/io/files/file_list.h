@@ -8,15 +8,15 @@
 
 namespace mikromakro {
 
-/// Expands patterns (`*`, `?`, `[...]`); a name without them stands for itself. Throws when a pattern matches
-/// no file, or one that is no regular file (a pipe, a folder).
+/// Expands patterns (`*`, `?`, `[...]`); other names are returned unchanged. Throws if a pattern matches no
+/// file, or one that is not regular (a pipe, a directory).
 std::vector<std::string> expand_files(const std::vector<std::string>& patterns);
 
-/// Throws where a file of one run is one of another, or a copy of it byte by byte: what is there twice would
-/// count twice, and make errors too small. `files[k]` are those of run k.
+/// Throws if a file belongs to two runs, or is a byte-by-byte copy of a file of another run: duplicated data
+/// would count twice and make the errors too small. `files[k]` are the files of run k.
 void check_runs_differ(const std::vector<std::vector<std::string>>& files);
 
-/// Sum of the sizes in bytes; files that cannot be asked count as 0.
+/// Total size in bytes; files whose size is not available count as 0.
 std::int64_t total_size(const std::vector<std::string>& files);
 
 }  // namespace mikromakro

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The frames of several files of one kind as one sequence.
+// The frames of several files of one kind, as one sequence.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 
 namespace mikromakro {
 
-/// A sequence of frames, whatever reads them.
+/// A sequence of frames, independent of the reader.
 template <typename Header, typename Block>
 class FrameFiles {
  public:
@@ -26,20 +26,20 @@ class FrameFiles {
   virtual ~FrameFiles() = default;
 
   virtual bool next(Header& header) = 0;
-  /// The rows below that header; nothing where a cut file ends among them.
+  /// The rows below that header; none if a truncated file ends among them.
   virtual std::optional<Block> take_rows(const Header& header) = 0;
-  /// The file of that header, and all of them in a word.
+  /// The file that holds that header, and a name for all files.
   virtual const std::string& file() const = 0;
   virtual std::string name() const = 0;
   virtual std::int64_t bytes_read() const = 0;
 };
 
-/// Files in the order in which they are given, which is that of their first frames. `Reader` opens a file by
-/// its name and has a Header that tells its place in time (`order()`) and its line.
+/// Reads files in the given order, which must be that of their first frames. `Reader` opens a file by name
+/// and has a Header with its position in time (`order()`) and its line.
 ///
-/// Steps come again where a run was continued from a restart file: frames that a later one replaces, since it
-/// is of the same step or an earlier one, do not count. They can only be told when all files were looked
-/// through before, which `look_through` asks for; otherwise such a step throws (Kind::steps_come_again).
+/// Time steps repeat if a run was continued from a restart file: frames followed by one with the same or an
+/// earlier step are superseded and do not count. They can only be identified by scanning all files first,
+/// which `look_through` requests; without it, such a step throws (Kind::steps_come_again).
 template <typename Reader>
 class FileSequence : public FrameFiles<typename Reader::Header, typename Reader::Block> {
  public:
@@ -97,14 +97,14 @@ class FileSequence : public FrameFiles<typename Reader::Header, typename Reader:
                     .what());
   }
 
-  // Of all complete frames, in the order of the files: whether a later one is not later in time.
+  // For each complete frame, in file order: whether a later one has the same or an earlier time.
   void find_replaced() {
     std::vector<Order> orders;
     for (const std::string& file : files_) {
       Reader reader(file);
       Header header;
       while (reader.next_header(header)) {
-        // An incomplete frame replaces none.
+        // An incomplete frame supersedes none.
         const bool complete = reader.take_rows(header).has_value();
         orders.push_back(complete ? header.order() : std::numeric_limits<Order>::max());
       }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Lines of a text file, plain or compressed by gzip or zstd, read in blocks.
+// Reads the lines of a text file, plain or compressed with gzip or zstd, in blocks.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 
 namespace mikromakro {
 
-/// Reads one file line by line; whether it is compressed is seen from its content, not from its name.
-/// A mark of the byte order (UTF-8) before the first line is skipped.
-/// Throws (bad input): the file cannot be opened or decompressed, a line is longer than 16 MB (binary junk),
-/// the last line has no end (a cut file: its last number could be wrong without looking wrong). Where the
-/// compressed data end early, what stands before is given, and cut() tells it.
+/// Reads one file line by line; compression is recognised by content, not by name. A UTF-8 byte order mark
+/// before the first line is skipped.
+/// Throws (bad input) if the file cannot be opened or decompressed, if a line is longer than 16 MB (binary
+/// data), and if the last line has no line end (a truncated file: its last number could be wrong and still
+/// look right). If the compressed data are truncated, the lines before that are returned and cut() is true.
 class LineReader {
  public:
   explicit LineReader(const std::string& file);
@@ -25,21 +25,21 @@ class LineReader {
   /// The next line without its end (LF or CRLF), valid until the next call; false at the end of the file.
   bool next(std::string_view& line);
 
-  /// At the end: whether the compressed data ended before their end. A line without end is left out then.
+  /// At the end: whether the compressed data were truncated. A line without end is then dropped.
   bool cut() const { return ended_ && source_->cut(); }
 
-  /// Whether the end of the file has been met: nothing is left.
+  /// Whether all lines have been read.
   bool at_end() const { return ended_ && begin_ == end_; }
 
-  /// Appends the next lines as they stand, ends included: `count` of them, fewer at the end of the file and
-  /// before a line that starts with `stop`. Gives how many.
+  /// Appends the next lines verbatim, line ends included: `count` of them, fewer at the end of the file and
+  /// before a line that starts with `stop`. Returns their number.
   std::int64_t take(std::int64_t count, std::string_view stop, std::string& text);
 
   const std::string& file() const { return file_; }
   std::int64_t line() const { return line_; }
   Place place() const { return {file_, line_}; }
 
-  /// Bytes of the (compressed) file that were read so far.
+  /// Bytes of the (compressed) file read so far.
   std::int64_t bytes_read() const { return source_->bytes_read(); }
 
  private:
@@ -52,8 +52,8 @@ class LineReader {
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
   std::int64_t line_ = 0;
-  bool ended_ = false;   ///< no more bytes came
-  bool marked_ = false;  ///< the mark of the byte order was there
+  bool ended_ = false;   ///< the source is exhausted
+  bool marked_ = false;  ///< a byte order mark was skipped
 };
 
 }  // namespace mikromakro

@@ -25,8 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The temporary names that are there at present. More outputs than places are written all the same, but left
-// behind by a signal.
+// The temporary names currently in use. Outputs beyond this capacity are still written, but left behind by a
+// signal.
 std::array<std::atomic<const char*>, 256> unfinished = {};
 
 void remember(const char* name) {
@@ -43,7 +43,7 @@ void forget(const char* name) {
   }
 }
 
-// A link whose file is not there yet leads somewhere, too.
+// Follows a symbolic link even if its target does not exist yet.
 std::string target_of(const std::string& file) {
   constexpr int most_links = 40;
   fs::path path = file;
@@ -59,11 +59,11 @@ std::optional<Identity> identity_of(const std::string& file) {
   struct stat status = {};
   const bool is_output = file == "-";
   if ((is_output ? fstat(STDOUT_FILENO, &status) : stat(file.c_str(), &status)) != 0) return std::nullopt;
-  if (is_output && !S_ISREG(status.st_mode)) return std::nullopt;  // a terminal may be both
+  if (is_output && !S_ISREG(status.st_mode)) return std::nullopt;  // a terminal may be input and output
   return Identity{status.st_dev, status.st_ino};
 }
 
-// One name for all names of a file that need not exist.
+// A unique name for a file that need not exist, however it is spelled.
 std::string full_name(const std::string& file) {
   const fs::path path = target_of(file);
   std::error_code code;
@@ -81,7 +81,7 @@ OutputFile::OutputFile(const std::string& file) : file_(file), target_(target_of
     throw bad_input({file}, "cannot write the output", "a file that can be written", std::strerror(errno));
   if (fs::exists(status) && !fs::is_regular_file(status)) return;
   temporary_ = fmt::format("{}.part{}", target_, getpid());
-  // Made at once, so that a name that cannot be written is found before a long run and not after it.
+  // Create the file at once, so that an unwritable name is found before a long run rather than after it.
   if (!std::ofstream(temporary_))
     throw bad_input({file}, "cannot write the output", "a file that can be written", std::strerror(errno));
   if (fs::exists(status)) fs::permissions(temporary_, status.permissions(), code);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A file that appears complete or not at all.
+// Output files that are written completely or not at all.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace mikromakro {
 
-/// Writes beside `file` under a temporary name and renames on commit; a file that was not committed leaves
-/// nothing behind. A symbolic link stays one: what it points to is written. What is no regular file (a pipe,
-/// a device) is written to as it is. Throws: a name that cannot be written (bad input), a disk that is full
+/// Writes to a temporary file in the same directory and renames it on commit; an uncommitted file leaves
+/// nothing behind. A symbolic link is kept and its target is replaced. Files that are not regular (pipes,
+/// devices) are written to directly. Throws on names that cannot be written (bad input) and on a full disk
 /// (failed run).
 class OutputFile {
  public:
@@ -24,7 +24,7 @@ class OutputFile {
   /// For libraries that write files themselves: they write to `temporary`, then `publish` renames it.
   const std::string& temporary() const { return temporary_; }
   void publish();
-  /// Throws where the file has no temporary name, since it is a pipe or a device.
+  /// Throws if the file has no temporary name because it is a pipe or a device.
   void require_regular() const;
 
  private:
@@ -32,15 +32,15 @@ class OutputFile {
   [[noreturn]] void fail() const;
 
   std::string file_;
-  std::string target_;     // where the links of file_ lead to
-  std::string temporary_;  // the target itself where that is no regular file
+  std::string target_;     // `file_` with symbolic links resolved
+  std::string temporary_;  // the target itself if that is not a regular file
 };
 
-/// Throws where an output is one of the inputs, or two outputs are one file, by whatever names or links: what
-/// is written would destroy what is read. "-" is standard output.
+/// Throws if an output is also an input, or if two outputs are the same file, under whatever names or links:
+/// the input would be overwritten. "-" is standard output.
 void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
-/// Removes the temporary files of this process; for handlers of signals, in which little is allowed.
+/// Removes the temporary files of this process; safe in signal handlers.
 void remove_unfinished_outputs() noexcept;
 
 }  // namespace mikromakro

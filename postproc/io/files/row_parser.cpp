@@ -16,12 +16,12 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
 
-// The blank behind a word that nobody needs, or the end; eight bytes at a time.
+// End of an unused word: the blank after it, or the end of the line. Scans eight bytes at a time.
 const char* end_of_word(const char* at, const char* end) {
   constexpr std::uint64_t ones = 0x0101010101010101, highest = 0x80 * ones;
   for (std::uint64_t eight = 0; end - at >= 8 && std::endian::native == std::endian::little; at += 8) {
     std::memcpy(&eight, at, sizeof eight);
-    // The highest bit of a byte is set where it is a blank or below; above the first such byte it may be
+    // Sets the highest bit of each byte that is a blank or below; bytes above the first such byte may be
     // wrong.
     const std::uint64_t blanks = (eight - ('!' * ones)) & ~eight & highest;
     if (blanks == 0) continue;
@@ -32,14 +32,14 @@ const char* end_of_word(const char* at, const char* end) {
   return at;
 }
 
-// Numbers as C prints them: with a '+', too, which fast_float does not take.
+// Numbers as C prints them, including a leading '+', which fast_float rejects.
 fast_float::from_chars_result number_of(const char* at, const char* end, double& number) {
   const auto result = fast_float::from_chars(at, end, number);
   if (result.ec == std::errc() || end - at < 2 || *at != '+' || at[1] == '-') return result;
   return fast_float::from_chars(at + 1, end, number);
 }
 
-// Rows as they should be, read in one pass: false for everything else, which the careful way below judges.
+// Fast path for well-formed rows, in one pass; false for all others, which parse_other_row examines.
 bool parse_plain_row(std::string_view line, const ColumnMap& map, std::span<double> slots) {
   const char* at = line.data();
   const char* const end = at + line.size();
@@ -103,7 +103,7 @@ std::int64_t parse_integer(std::string_view word, const Place& place) {
 
 namespace {
 
-// The way that says what is wrong.
+// Slow path, which reports what is wrong.
 void parse_other_row(std::string_view line, const ColumnMap& map, std::span<double> slots,
                      const Place& place) {
   std::string_view rest = line;

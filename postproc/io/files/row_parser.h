@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers of one line of text into the slots of a column map.
+// Parses a line of text into the slots of a column map.
 #pragma once
 
 #include <cmath>
@@ -14,25 +14,25 @@
 
 namespace mikromakro {
 
-/// The next word of `rest` (blanks and tabs separate), cut off from it; empty at the end of the line.
+/// Removes the next word (separated by blanks and tabs) from `rest` and returns it; empty at the end of the
+/// line.
 std::string_view next_word(std::string_view& rest);
 
 /// All words of a line.
 std::vector<std::string_view> words(std::string_view line);
 
-/// The next line of `rest` without its end (LF or CRLF), cut off from it; only to be called where there is
-/// one.
+/// Removes the next line from `rest` and returns it without its end (LF or CRLF); requires that there is one.
 std::string_view next_line(std::string_view& rest);
 
-/// A finite number, as C prints decimal ones (`+5.0e-01`, too; not hexadecimal ones). Throws for anything
-/// else, nan and inf and numbers beyond double included.
+/// A finite decimal number as C prints it (also `+5.0e-01`; not hexadecimal). Throws on anything else,
+/// including nan, inf and numbers out of the range of double.
 double parse_number(std::string_view word, const Place& place);
 
-/// A whole number. Throws for anything else. Accepts whole numbers written as floating point (1e+06), as the
-/// %g format of the engines' local dumps does.
+/// An integer; also accepts integers written as floating-point numbers (1e+06), as in the %g format of the
+/// engines' local dumps. Throws on anything else.
 std::int64_t parse_integer(std::string_view word, const Place& place);
-/// Parses one row; slots that no column fills are left as they are. Throws on too few or too many columns, on
-/// numbers that are none, and where a column that is there again holds another number.
+/// Parses one row; slots without a column are left unchanged. Throws on too few or too many columns, on
+/// malformed numbers, and if a repeated column holds a different number.
 void parse_row(std::string_view line, const ColumnMap& map, std::span<double> slots, const Place& place);
 
 }  // namespace mikromakro

@@ -45,7 +45,7 @@ FrameSelection FrameSelection::among(std::int64_t frames) const {
   FrameSelection selection = *this;
   if (last < 0) selection.last += frames;
   if (first < 0) selection.first += frames;
-  // One frame that is not there is none; a range begins with the first one that is.
+  // A missing single frame selects nothing; a range is clipped to the existing frames.
   if (selection.last < 0) return none();
   selection.first = std::max<std::int64_t>(selection.first, 0);
   return selection;

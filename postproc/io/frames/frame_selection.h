@@ -8,8 +8,8 @@
 
 namespace mikromakro {
 
-/// Frames FIRST:LAST[:STEP] by index (from 0, both ends included; below 0 from the end, -1 is the last one)
-/// and A:B by time step (both ends included).
+/// Frames FIRST:LAST[:STEP] by index (from 0, both ends included; negative values count from the end, -1 is
+/// the last) and A:B by time step (both ends included).
 struct FrameSelection {
   std::int64_t first = 0;
   std::int64_t last = std::numeric_limits<std::int64_t>::max();
@@ -24,15 +24,15 @@ struct FrameSelection {
   /// Whether the number of frames must be known before frames can be selected.
   bool counts_from_the_end() const { return first < 0 || last < 0; }
   static FrameSelection none();
-  /// The same among `frames` frames, counted from the beginning.
+  /// The same selection among `frames` frames, with non-negative indices.
   FrameSelection among(std::int64_t frames) const;
 
-  /// No later frame can be selected.
+  /// Whether no later frame can be selected.
   bool over_after(std::int64_t index, std::int64_t step) const { return index >= last || step >= last_step; }
 };
 
-/// Sets the part of the selection that --frames or --steps gives; an end that is left out (`5:`, `:9`) is
-/// open, and a number alone is one frame or step. Throws on anything else and on an empty range.
+/// Set the part of the selection given by --frames or --steps; an omitted end (`5:`, `:9`) is open, a single
+/// number selects one frame or step. Throw on anything else and on an empty range.
 void select_frames(const std::string& text, FrameSelection& selection);
 void select_steps(const std::string& text, FrameSelection& selection);
 

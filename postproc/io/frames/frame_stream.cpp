@@ -40,7 +40,7 @@ void set_masses(RawFrame& raw, double density) {
   raw.particles_given |= mass;
 }
 
-// A wall takes a little of a disc, a periodic boundary cuts it.
+// True for discs cut by a periodic boundary; discs overlap walls by much less.
 bool reaches_out(const Particle& disc, const Box& box) {
   constexpr double into_walls = 0.1;
   const double reach = (1 - into_walls) * disc.radius;
@@ -97,7 +97,7 @@ void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   note_boundaries(raw, rules.notes);
   if (raw.with_contacts)
     frame.contacts = join_contacts(raw.contacts, {raw.particles, ids, raw.box, raw.place_error}, rules);
-  // A frame without any contact is rare, or lacks them.
+  // A frame without contacts is rare, or its contacts are missing.
   const bool without = raw.with_contacts && frame.contacts.empty();
   if ((raw.closely || without) && rules.notes != nullptr) note_overlaps(raw, frame.contacts, rules);
   note_forces(frame.contacts, rules);
@@ -171,8 +171,8 @@ FrameStream::FrameStream(const FrameSource& source)
       format_(format_of(source)) {}
 
 // The first frame of each run, every 64th, and those with more than twice or less than half as many contacts
-// as any that was looked at: a run that begins with discs apart has none to look at in its first frame, and a
-// frame that has lost most of its rows may stand anywhere.
+// as any frame checked so far: a run that starts with separated discs has no contacts to check in its first
+// frame, and a frame that has lost most of its rows may occur anywhere.
 bool FrameStream::is_looked_at_closely(std::int64_t step) {
   constexpr std::int64_t seldom = 64;
   if (!of_all_ranks_.contains(index_, step)) return false;
@@ -197,17 +197,17 @@ UnpackFrame FrameStream::take_raw() {
       break;
     }
     ++index_;
-    // A later run begins with small steps again.
+    // Time steps restart with each run.
     over_ = one_run_ ? selection_.over_after(index_, step) : index_ >= selection_.last;
     closely_ = is_looked_at_closely(step);
     if (!selection_.contains(index_, step)) continue;
-    // Nothing where a file was cut.
+    // Empty if a file was truncated.
     if (UnpackFrame unpack = format_->take(closely_)) return unpack;
   }
   return {};
 }
 
-// A last frame that was asked for and is not there.
+// Notes if the last requested frame does not exist.
 void FrameStream::note_last_frame() {
   over_ = true;
   const bool asked_for = of_all_ranks_.last < std::numeric_limits<std::int64_t>::max();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Frames of any kind of input, one in memory at a time.
+// Frames of any input format, one in memory at a time.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace mikromakro {
 
-/// The files of one run: HDF5 snapshots, or others.
+/// The files of one run: either HDF5 snapshots or other formats.
 struct Run {
   std::vector<std::string> particle_files = {};
   std::vector<std::string> contact_files = {};
@@ -24,8 +24,7 @@ struct Run {
   std::vector<std::string> wall_files = {};
 };
 
-/// What to read, and how: HDF5 snapshots, text dumps, or MercuryDPM's files, which are known by their
-/// content.
+/// What to read, and how: HDF5 snapshots, text dumps, or MercuryDPM files, which are recognised by content.
 struct FrameSource {
   std::vector<std::string> particle_files;
   std::vector<std::string> contact_files;  ///< none: frames without contacts
@@ -34,60 +33,60 @@ struct FrameSource {
   ColumnSet particles_needed = 0;
   ColumnSet contacts_needed = 0;
   FrameSelection selection;
-  std::optional<FrameSelection> of_all_ranks = {};  ///< where `selection` is the part of one of several ranks
+  std::optional<FrameSelection> of_all_ranks = {};  ///< set if `selection` is this rank's part of it
   std::vector<std::string> snapshot_files = {};     ///< none: text dumps
-  std::vector<Run> further_runs = {};               ///< read after the files above, which are the first run
-  double density = 0;                               ///< areal (kg/m^2), > 0: for files that give no masses
-  bool contacts_required = false;                   ///< frames without contacts are an error
-  /// Files are read once more before, so that steps that come again (after a restart) can be left out;
-  /// without it they throw Error::Kind::steps_come_again.
+  std::vector<Run> further_runs = {};               ///< read after the files above, which form the first run
+  double density = 0;                               ///< areal (kg/m^2), > 0: for files without masses
+  bool contacts_required = false;                   ///< a frame without contacts is an error
+  /// Whether to scan the files first, so that repeated steps (after a restart) can be left out; without it,
+  /// such steps throw Error::Kind::steps_come_again.
   bool look_through = false;
-  /// What reading finds and the user must know; copies of the source share it.
+  /// Warnings found while reading; shared by copies of the source.
   std::shared_ptr<Notes> notes = std::make_shared<Notes>();
-  std::vector<std::string> wall_files = {};  ///< contacts with walls, beside those of discs
+  std::vector<std::string> wall_files = {};  ///< contacts with walls, in addition to those of discs
   std::vector<std::string> wall_columns = {};
   bool distant_contacts = false;         ///< forces may act between discs that do not touch
-  std::vector<int> averaged_types = {};  ///< contacts of others may be missing; empty: of none
+  std::vector<int> averaged_types = {};  ///< contacts of others may be missing; empty: none may
 
   ColumnWishes wishes() const;
   std::vector<Run> runs() const;
-  /// The selection counted from the beginning, for which frames are counted where it must be.
+  /// The selection with non-negative indices; counts the frames if necessary.
   FrameSelection settled_selection() const;
   struct Count {
     std::int64_t frames = 0;
     std::int64_t first_step = 0, last_step = 0;
   };
-  /// How many frames there are, for which they are read.
+  /// Counts the frames by reading them.
   Count count() const;
-  /// What to throw where none of them is selected.
+  /// The error to throw if no frame is selected.
   Error no_frame_selected() const;
-  /// All files there are.
+  /// All input files.
   std::vector<std::string> files() const;
 };
 
-/// Makes the frame of bytes that were read before; any thread may do it.
+/// Builds a frame from bytes that were read before; thread-safe.
 using MakeFrame = std::function<void(Frame&)>;
 
-/// Particles go over to the frame, contacts become those of particles. Throws: ids that are there twice, and
-/// all that join_contacts throws.
+/// Moves the particles to the frame and joins the contacts to them. Throws on duplicate ids, and on
+/// everything that join_contacts throws on.
 void join(RawFrame& raw, Frame& frame, ContactRules rules);
 
-/// Frames are looked at closely now and then, the first of each run and every 64th of those that all ranks
-/// read: what costs time but finds what is wrong in a whole file. Throws: contacts that are required and not
-/// there, masses where a density is given, too; ids that are there twice, and all that the formats and
-/// join_contacts throw.
+/// Some frames are checked closely: the first of each run and every 64th of those read by all ranks. These
+/// checks are expensive but find faults that affect a whole file. Throws on required contacts that are
+/// missing, on masses in the file if a density is given, on duplicate ids, and on everything that the formats
+/// and join_contacts throw on.
 class FrameStream {
  public:
   explicit FrameStream(const FrameSource& source);
 
-  /// Reads the next selected frame; false when there is none.
+  /// Reads the next selected frame; false if there is none.
   bool next(Frame& frame);
 
-  /// Takes the bytes of the next selected frame, so that the rest of the work can be done elsewhere while the
-  /// stream goes on; an empty function when there is none.
+  /// Reads the bytes of the next selected frame, so that it can be built elsewhere while the stream advances;
+  /// an empty function if there is none.
   MakeFrame take();
 
-  /// The rows that the last frame of `next` was made of; particles are in the frame.
+  /// The rows from which next() built its last frame; the particles have moved to the frame.
   const RawFrame& raw() const { return raw_; }
   std::int64_t bytes_read() const { return format_->bytes_read(); }
 
@@ -109,7 +108,7 @@ class FrameStream {
   std::int64_t selected_ = 0;  ///< frames of all ranks so far
   std::int64_t last_selected_run_ = -1;
   std::int64_t selected_of_run_ = 0;
-  std::int64_t most_rows_looked_at_ = 0, least_rows_looked_at_ = 0;  ///< of a frame of that run
+  std::int64_t most_rows_looked_at_ = 0, least_rows_looked_at_ = 0;  ///< contact rows per frame of that run
   bool closely_ = false;
   bool over_ = false;
 };

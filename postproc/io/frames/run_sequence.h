@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Several runs one after the other.
+// Several runs in sequence.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace mikromakro {
 
-/// Independent runs (other seeds, say) whose frames follow each other; in each run time steps begin anew.
+/// Independent runs (different seeds, say), concatenated; time steps restart with each run.
 class RunSequence : public FrameFormat {
  public:
   using Open = std::function<std::unique_ptr<FrameFormat>()>;

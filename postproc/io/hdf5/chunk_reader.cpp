@@ -21,7 +21,7 @@ std::uint64_t product(const Hdf5Shape& shape) {
   return std::accumulate(shape.begin(), shape.end(), std::uint64_t{1}, std::multiplies<>());
 }
 
-// The shape of chunks that hold numbers as they are, with a sum behind them; empty for others.
+// Shape of the chunks if they hold unmodified numbers with a trailing checksum; empty for others.
 Hdf5Shape summed_chunks(const Hdf5Dataset& dataset, const Hdf5Shape& shape) {
   const Hdf5Id list(H5Dget_create_plist(dataset.id()), H5Pclose);
   if (H5Pget_layout(list.get()) != H5D_CHUNKED || H5Pget_nfilters(list.get()) != 1) return {};
@@ -36,7 +36,7 @@ Hdf5Shape summed_chunks(const Hdf5Dataset& dataset, const Hdf5Shape& shape) {
   return {chunk.begin(), chunk.end()};
 }
 
-// As it is stored. Bits of `left_out`: filters that were not applied.
+// Reads the raw chunk. Bits of `left_out`: filters that were not applied.
 herr_t read_chunk(hid_t dataset, const std::vector<hsize_t>& offset, std::uint32_t& left_out,
                   std::span<char> bytes) {
 #if H5_VERSION_GE(2, 0, 0)
@@ -60,7 +60,7 @@ ChunkReader::ChunkReader(Hdf5Dataset dataset) : dataset_(std::move(dataset)) {
   if (H5Tget_class(type.get()) == H5T_INTEGER) kind_ = PackedNumbers::Kind::integer;
   if (!real && !integer) return;
   const Hdf5Shape chunk = summed_chunks(dataset_, shape);
-  // One row per chunk, whole places.
+  // One row per chunk, and no place split between chunks.
   const bool fits =
       !chunk.empty() && (axis_ == 0 || chunk[0] == 1) && (shape.size() < 3 || chunk[2] == shape[2]);
   if (fits) chunk_ = chunk;
@@ -102,7 +102,7 @@ PackedNumbers ChunkReader::take_block(const Hdf5Block& block) {
   return numbers;
 }
 
-// None where nothing was ever written there, or without its sum.
+// Null if the chunk was never written, or has no checksum.
 std::shared_ptr<const PackedChunk> ChunkReader::chunk_at(const Hdf5Shape& corner) {
   if (last_ && last_corner_ == corner) return last_;
   const std::vector<hsize_t> offset(corner.begin(), corner.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers out of an HDF5 dataset, chunk by chunk, with as little as possible done while others wait.
+// Reads numbers from an HDF5 dataset chunk by chunk, with as little work as possible in the serial part.
 #pragma once
 
 #include "io/hdf5/hdf5_file.h"
@@ -7,22 +7,22 @@
 
 namespace mikromakro {
 
-/// Takes runs of numbers that are checked and decoded later, by other threads: HDF5 itself works on one
-/// thread at a time, and its own sums and conversions are several times slower than reading. Datasets that
-/// are stored in another way than ours (compressed, other types, other chunks) are read by HDF5 with all that
-/// belongs to it. The last chunk is kept, for the frame that begins where another has ended.
+/// Takes ranges of numbers to be verified and decoded later by other threads: HDF5 is limited to one thread
+/// at a time, and its own checksums and conversions are several times slower than reading. Datasets stored
+/// differently from ours (compressed, other types, other chunks) are read through HDF5 with its whole filter
+/// pipeline. The last chunk is cached for the frame that starts where the previous one ended.
 class ChunkReader {
  public:
   ChunkReader() = default;
-  /// 1, 2 or 3 dimensions. Throws what cannot be read.
+  /// 1, 2 or 3 dimensions. Throws if the dataset cannot be read.
   explicit ChunkReader(Hdf5Dataset dataset);
 
-  /// Of each row, where there are two or three dimensions.
+  /// Places per row, for two or three dimensions.
   std::uint64_t places() const { return places_; }
 
-  /// The numbers of a dataset of one dimension from `begin` on.
+  /// Numbers `begin` to `begin + count` of a one-dimensional dataset.
   PackedNumbers take(std::uint64_t begin, std::uint64_t count);
-  /// The first numbers of a row of a dataset of two or three dimensions: those of `count` places.
+  /// The numbers of the first `count` places of a row of a two- or three-dimensional dataset.
   PackedNumbers take_row(std::uint64_t row, std::uint64_t count);
 
  private:
@@ -32,10 +32,10 @@ class ChunkReader {
 
   Hdf5Dataset dataset_;
   std::uint64_t places_ = 0;
-  std::size_t axis_ = 0;         // the dimension along which is read
-  std::uint64_t per_place_ = 1;  // numbers for each place along it
+  std::size_t axis_ = 0;         // the dimension along which to read
+  std::uint64_t per_place_ = 1;  // numbers per place along it
   PackedNumbers::Kind kind_ = PackedNumbers::Kind::real;
-  Hdf5Shape chunk_;  // empty: HDF5 has to read
+  Hdf5Shape chunk_;  // empty: read through HDF5
   Hdf5Shape last_corner_;
   std::shared_ptr<const PackedChunk> last_;
 };

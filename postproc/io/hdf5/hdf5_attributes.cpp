@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Words and numbers beside the datasets.
+// Attributes: strings and numbers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ Hdf5Id text_type(std::size_t length, H5T_cset_t letters) {
   return type;
 }
 
-// Words of fixed length, as other programs write them.
+// Fixed-length strings, as other programs write them.
 std::vector<std::string> fixed_texts(const Hdf5Id& attribute, const Hdf5Id& type, std::size_t count,
                                      const std::string& place) {
   const std::size_t length = H5Tget_size(type.get());

@@ -32,20 +32,21 @@ hid_t in_file(Hdf5Type type) {
   return type == Hdf5Type::byte ? H5T_STD_U8LE : H5T_IEEE_F64LE;
 }
 
-// The newer layout of 1.10: its tables of contents carry sums, so that damage in them is found, and it can be
-// appended to while others read.
+// The file format of 1.10: its metadata have checksums, so damage is detected, and it can be appended to
+// while others read.
 Hdf5Id newer_layout() {
   Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  // One who reads beside a writer tries again where a sum is wrong, after 1 ns, 2 ns, 4 ns...: a write under
-  // way is over within these 2^20 ns, 1 ms; the library's 100 attempts would wait for ever in a damaged file.
+  // A reader alongside a writer retries on a checksum mismatch, after 1 ns, 2 ns, 4 ns...: a write in
+  // progress completes within these 2^20 ns, 1 ms. The library's default of 100 attempts would hang forever
+  // on a damaged file.
   H5Pset_metadata_read_attempts(access.get(), 20);
   H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
   return access;
 }
 
-// Opens also what a process that was killed has left with its marks, and with a length that may be shorter
-// than what it wrote: what `h5clear --status --increment=0` mends. As a writer beside readers from the first
-// moment on, so that a kill in here does no harm either.
+// Also opens files that a killed process has left marked as open, or with a recorded length shorter than what
+// it wrote: the repair of `h5clear --status --increment=0`. Opens in single-writer mode from the start, so
+// that a kill during the repair is harmless too.
 Hdf5Id open_after_kill(const std::string& file, const Hdf5Id& access) {
   const hbool_t yes = 1;
   H5Pset(access.get(), "clear_status_flags", &yes);
@@ -55,7 +56,7 @@ Hdf5Id open_after_kill(const std::string& file, const Hdf5Id& access) {
   return id;
 }
 
-// By the flags of the superblock, which has them from version 3 on (HDF5 File Format Specification, II.A).
+// Checks the flags of the superblock, present from version 3 on (HDF5 File Format Specification, II.A).
 bool is_open_for_write(const std::string& file) {
   constexpr std::size_t version_at = 8, flags_at = 11;
   std::array<char, flags_at + 1> superblock{};
@@ -63,7 +64,7 @@ bool is_open_for_write(const std::string& file) {
   return superblock[version_at] >= 3 && (superblock[flags_at] & 1) != 0;
 }
 
-// A list of properties for a new object: the same content makes the same file at any time.
+// Creation properties without timestamps: the same content always gives the same file.
 Hdf5Id without_times(hid_t kind) {
   Hdf5Id list(H5Pcreate(kind), H5Pclose);
   H5Pset_obj_track_times(list.get(), false);
@@ -143,8 +144,8 @@ Hdf5File Hdf5File::create(const std::string& file, bool paged) {
 
 Hdf5File Hdf5File::open(const std::string& file) {
   silence();
-  // As one who reads what another one writes; files of others may be of a layout without that. A writer that
-  // changes the file between what an opening reads of it makes it fail, which is tried again for a second.
+  // Open as a reader alongside a writer; files of other programs may have a format without that mode. The
+  // open fails if a writer changes the file meanwhile, so it is retried for a second.
   for (int attempt = 1;; ++attempt) {
     Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, newer_layout().get()), H5Fclose);
     if (id.get() < 0) id = Hdf5Id(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
@@ -157,7 +158,7 @@ Hdf5File Hdf5File::open(const std::string& file) {
 Hdf5File Hdf5File::open_to_append(const std::string& file, bool mend) {
   silence();
   const Hdf5Id access = newer_layout();
-  // A reader, such as a notebook that has the file open, must not stop the one who writes.
+  // A reader, such as a notebook with the file open, must not block the writer.
   H5Pset_file_locking(access.get(), 0, 1);
   Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access.get()), H5Fclose);
   if (id.get() < 0 && mend) id = open_after_kill(file, access);
@@ -208,7 +209,7 @@ Hdf5Dataset Hdf5File::dataset(const std::string& path) const {
   return {std::move(id), fmt::format("{}:{}", file_, path)};
 }
 
-// HDF5's own making of groups on the way would give them times.
+// Intermediate groups that HDF5 creates itself would have timestamps.
 void Hdf5File::add_groups_above(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   if (slash != std::string::npos && slash > 0 && !has(path.substr(0, slash)))

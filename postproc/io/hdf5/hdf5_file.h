@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The little of HDF5 that our files need; the library's own header is seen by hdf5_file.cpp
-// and chunk_reader.cpp only.
+// The part of HDF5 that our files need. The library's own header is included by hdf5_file.cpp and
+// chunk_reader.cpp only.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace mikromakro {
 
-/// An open object of HDF5, closed at the end of its life.
+/// RAII handle of an HDF5 object.
 class Hdf5Id {
  public:
   using Close = int (*)(std::int64_t);
@@ -40,10 +40,10 @@ class Hdf5Id {
   Close close_ = nullptr;
 };
 
-/// Lengths along the dimensions, in HDF5's own type of numbers.
+/// Lengths along the dimensions, in the integer type of HDF5.
 using Hdf5Shape = std::vector<unsigned long long>;
 
-/// Kind of numbers in a file. In memory they are double, std::int64_t, std::uint8_t.
+/// Type of the numbers in a file; in memory double, std::int64_t, std::uint8_t.
 enum class Hdf5Type { real, integer, byte };
 template <typename T>
 inline constexpr Hdf5Type hdf5_type = Hdf5Type::real;
@@ -52,13 +52,13 @@ inline constexpr Hdf5Type hdf5_type<std::int64_t> = Hdf5Type::integer;
 template <>
 inline constexpr Hdf5Type hdf5_type<std::uint8_t> = Hdf5Type::byte;
 
-/// A block of a dataset: where it begins, and how far it goes along each dimension.
+/// A block of a dataset: start and length along each dimension.
 struct Hdf5Block {
   Hdf5Shape begin;
   Hdf5Shape count;
 };
 
-/// Throws: what cannot be read is bad input, what cannot be written a failed run.
+/// Throws bad input on failure to read, and a failed run on failure to write.
 class Hdf5Dataset {
  public:
   Hdf5Dataset() = default;
@@ -68,12 +68,12 @@ class Hdf5Dataset {
   /// For messages.
   const std::string& place() const { return place_; }
   std::int64_t id() const { return id_.get(); }
-  /// Whether the file has whole numbers there.
+  /// Whether the file stores integers.
   bool is_whole() const;
-  /// Nothing where there is no attribute of this name.
+  /// Empty if there is no attribute of this name.
   std::optional<std::vector<std::string>> text_attribute(const std::string& name) const;
   void grow(const Hdf5Shape& shape);
-  /// Grows where it is shorter than `shape`, along each dimension; gives its new lengths.
+  /// Extends each dimension that is shorter than in `shape`; returns the new lengths.
   Hdf5Shape reach(const Hdf5Shape& shape);
 
   template <typename T>
@@ -94,32 +94,32 @@ class Hdf5Dataset {
   std::string place_;
 };
 
-/// HDF5 writes what it still holds when a program ends, and crashes where the disk is full. Programs that
-/// close all their files call this first, before anything else of HDF5.
+/// At exit HDF5 writes what it still holds, and crashes if the disk is full. Programs that close all their
+/// files call this before any other use of HDF5.
 void leave_hdf5_open_at_exit();
 
-/// Paths are absolute, groups on the way are made. HDF5's own messages never reach stderr.
+/// Paths are absolute; missing groups are created. HDF5's own messages never reach stderr.
 class Hdf5File {
  public:
-  /// Throws when it cannot be made or is no complete HDF5 file.
-  /// `paged`: what HDF5 writes about its datasets lies within pages of 4096 bytes, none across two. The
-  /// system copies a write page by page, and a process that is killed between two pages would leave a wrong
-  /// sum there.
+  /// Throws if the file cannot be created. `paged`: HDF5 metadata stay within pages of 4096 bytes, never
+  /// across two. The system copies a write page by page, so a process killed between two pages would
+  /// otherwise leave a wrong checksum.
   static Hdf5File create(const std::string& file, bool paged = false);
-  /// To read, also while somebody appends to it or after he was killed while he did.
+  /// Opens for reading, also while a process appends to the file or after such a process was killed. Throws
+  /// if it is not a complete HDF5 file.
   static Hdf5File open(const std::string& file);
-  /// To append to the datasets that are there, by one process, while others may read (HDF5's "single writer,
-  /// multiple readers"): what is flushed stays readable whenever the process is killed. `mend`: also where a
-  /// process that was killed has left the file marked as being written.
+  /// Opens for appending to existing datasets by one process while others may read (HDF5's "single writer,
+  /// multiple readers"): flushed data stay readable whenever the process is killed. `mend`: also if a killed
+  /// process has left the file marked as being written.
   static Hdf5File open_to_append(const std::string& file, bool mend);
-  /// Whether a file begins as HDF5 files do; false also for a file that cannot be read.
+  /// Whether a file has the HDF5 signature; false also for a file that cannot be read.
   static bool recognises(const std::string& file);
 
-  /// Throws where that cannot be read.
+  /// Throws if that cannot be read.
   bool has(const std::string& path) const;
 
-  /// A dataset that grows (in every dimension); `chunk` is what is stored together, `checked` by a sum of its
-  /// own, so that flipped bits are found. `fill`: what places hold that were never written, for integers.
+  /// Adds a dataset that can grow in every dimension; `chunk` is the HDF5 chunk shape, `checked` adds a
+  /// checksum per chunk, so that flipped bits are found. `fill`: value of integers never written.
   Hdf5Dataset add_growing(const std::string& path, Hdf5Type type, const Hdf5Shape& chunk,
                           std::int64_t fill = 0, bool checked = true);
   Hdf5Dataset dataset(const std::string& path) const;
@@ -132,29 +132,30 @@ class Hdf5File {
   /// A second name for the same object.
   void link(const std::string& existing, const std::string& path);
 
-  /// What stands there in another file, with all below it.
+  /// Copies an object from another file, with everything below it.
   void copy(const Hdf5File& from, const std::string& path);
 
   void attribute(const std::string& path, const std::string& name, const std::string& value);
   void attribute(const std::string& path, const std::string& name, const std::vector<std::string>& values);
   void attribute(const std::string& path, const std::string& name, std::span<const std::int64_t> numbers);
   void attribute(const std::string& path, const std::string& name, std::int64_t number);
-  /// A word that averages read. Most programs want words of any length, but HDF5 keeps these where no sum
-  /// protects them, and crashes or hangs where they are damaged. So the word is there twice: marked (zeros as
-  /// the padding, which words of any length never have), and as NAME_guarded, of fixed length, which
-  /// text_attribute() reads in place of a marked one. Who replaces the word takes the mark away.
+  /// A string that averages rely on. Most programs expect variable-length strings, but HDF5 stores these
+  /// without a checksum, and crashes or hangs if they are damaged. The string is therefore stored twice: as a
+  /// marked variable-length one (null padding, which ordinary variable-length strings never have), and as
+  /// NAME_guarded, of fixed length, which text_attribute() reads in place of a marked one. Replacing the
+  /// string removes the mark.
   void guarded_attribute(const std::string& path, const std::string& name, const std::string& value);
   bool has_attribute(const std::string& path, const std::string& name) const;
-  /// Fixed-length ASCII, as VTK wants it.
+  /// Fixed-length ASCII, as required by VTK.
   void short_attribute(const std::string& path, const std::string& name, const std::string& value);
   std::vector<std::string> text_attribute(const std::string& path, const std::string& name) const;
-  /// Whether two paths lead to one object.
+  /// Whether two paths refer to the same object.
   bool are_one(const std::string& path, const std::string& other) const;
   std::vector<std::int64_t> number_attribute(const std::string& path, const std::string& name) const;
 
-  /// Hands everything over to the operating system, metadata after the numbers that they point to.
+  /// Passes everything to the operating system, metadata after the data that they point to.
   void flush();
-  /// Writes everything out; to be called before the file is renamed.
+  /// Writes everything out; call before renaming the file.
   void close();
 
  private:

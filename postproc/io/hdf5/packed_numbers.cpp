@@ -14,7 +14,7 @@ constexpr std::size_t number_size = 8;
 constexpr std::size_t sum_size = 4;
 constexpr std::uint64_t modulus = 65535;
 
-using Pairs = std::uint32_t __attribute__((vector_size(16)));  // of words, in vector registers of today
+using Pairs = std::uint32_t __attribute__((vector_size(16)));  // of words; one vector register
 constexpr std::size_t lanes = sizeof(Pairs) / sizeof(std::uint16_t);
 
 template <typename From, typename To>
@@ -33,9 +33,9 @@ bool fletcher32_fits(std::span<const char> bytes) {
   const std::size_t words = (bytes.size() - sum_size) / 2;
   std::uint64_t first = 0;   // sum of the words
   std::uint64_t second = 0;  // sum of the sums
-  // In lanes, for vectors without multiplications: lane l takes the words l, l + lanes, ... of a block of n
-  // words; word i counts n - i = lanes (rows - row) - l times in the sum of sums. Nothing overflows 32 bits:
-  // 65535 * 256 * 257 / 2.
+  // Split into lanes, to vectorise without multiplications: lane l takes the words l, l + lanes, ... of a
+  // block of n words; word i counts n - i = lanes (rows - row) - l times in the sum of sums. 32 bits do not
+  // overflow: 65535 * 256 * 257 / 2.
   constexpr std::size_t most_rows = 256;
   const std::size_t whole_rows = words / lanes;
   for (std::size_t begin = 0; begin < whole_rows; begin += most_rows) {
@@ -65,7 +65,7 @@ bool fletcher32_fits(std::span<const char> bytes) {
     first += word;
     second += first;
   }
-  // 2^16 is 1 here, so that a word with its bytes swapped is 256 times the word.
+  // 2^16 is 1 modulo 65535, so swapping the bytes of a word multiplies it by 256.
   first = first % modulus * 256 % modulus;
   second = second % modulus * 256 % modulus;
   std::uint32_t stored = 0;
@@ -109,7 +109,7 @@ std::span<const double> PackedNumbers::in_place(std::size_t first, std::size_t c
       continue;
     }
     if (count > piece.count - first) return {};
-    // As the allocation of a chunk is aligned for any number.
+    // The allocation of a chunk is aligned for any number.
     return {reinterpret_cast<const double*>(piece.chunk->numbers()) + piece.begin + first, count};
   }
   return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers as they lie in an HDF5 file: read, but not yet checked and decoded.
+// Numbers as stored in an HDF5 file: read, but not yet verified and decoded.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,19 @@
 
 namespace mikromakro {
 
-/// Whether `bytes` end with their Fletcher-32 sum as HDF5's filter writes it: over big-endian words of 16
-/// bits, modulo 65535, stored as a little-endian number (HDF5 File Format Specification, filter 3).
+/// Whether `bytes` end with their Fletcher-32 checksum as written by HDF5's filter: over big-endian 16-bit
+/// words, modulo 65535, stored little-endian (HDF5 File Format Specification, filter 3).
 bool fletcher32_fits(std::span<const char> bytes);
 
-/// What HDF5 stores together: numbers of 8 bytes in the machine's order, where `summed` with their sum behind
-/// them. Several frames may have a part in it.
+/// One raw HDF5 chunk: 8-byte numbers in native byte order, with a trailing Fletcher-32 checksum if `summed`.
+/// May be shared by several frames.
 class PackedChunk {
  public:
   PackedChunk(std::unique_ptr<char[]> bytes, std::size_t size, bool summed, std::string place)
       : bytes_(std::move(bytes)), size_(size), summed_(summed), place_(std::move(place)) {}
 
-  /// The numbers, after their sum was checked (once, whoever asks). Throws where it does not fit.
+  /// The numbers, after verifying the checksum (once, by the first caller; thread-safe). Throws on a checksum
+  /// mismatch.
   const char* numbers() const;
 
  private:
@@ -34,7 +35,7 @@ class PackedChunk {
   mutable bool fits_ = true;
 };
 
-/// A run of numbers in a dataset, on one or several chunks. May be unpacked by any thread.
+/// A range of numbers in a dataset, in one or several chunks. Any thread may unpack it.
 class PackedNumbers {
  public:
   enum class Kind { real, integer };
@@ -43,10 +44,10 @@ class PackedNumbers {
   void append(std::shared_ptr<const PackedChunk> chunk, std::size_t begin, std::size_t count);
 
   std::size_t size() const { return size_; }
-  /// The numbers from number `first` on. Throws where the chunk is damaged.
+  /// The numbers from index `first` on. Throws if the chunk is damaged.
   void unpack(std::size_t first, std::span<double> numbers) const;
   void unpack(std::size_t first, std::span<std::int64_t> numbers) const;
-  /// The same numbers where they lie; empty where they must be unpacked. Throws where the chunk is damaged.
+  /// The same numbers without a copy; empty if they must be unpacked. Throws if the chunk is damaged.
   std::span<const double> in_place(std::size_t first, std::size_t count) const;
 
  private:

@@ -26,7 +26,7 @@ void check_wishes(const std::string& file, const ColumnWishes& wishes) {
   if (wishes.contacts_needed != 0) require_columns(contacts, wishes.contacts_needed, names, place);
 }
 
-// Radii of interaction are larger where there is cohesion, which therefore stops nothing.
+// Interaction radii exceed the particle radii for cohesive particles, so a difference is not an error.
 void note_other_radii(const RawFrame& frame, const MercuryBlock& contacts, Notes& notes) {
   if (!contacts.header.radii || frame.particles.empty()) return;
   const auto [smallest, largest] = std::minmax_element(
@@ -50,7 +50,7 @@ void check_same_run(const RawFrame& frame, const MercuryBlock& contacts, Notes& 
 
 }  // namespace
 
-// Steps are numbers of frames here, not those of a selection.
+// Here steps are frame numbers, not those of a selection.
 MercuryFrames::MercuryFrames(const std::vector<std::string>& particle_files,
                              const std::vector<std::string>& contact_files, ColumnWishes wishes)
     : wishes_(std::move(wishes)), frames_({{}, wishes_.look_through, wishes_.notes}) {

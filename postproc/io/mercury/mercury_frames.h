@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Frames of MercuryDPM, particles and contacts matched by their times.
+// MercuryDPM frames, with particles and contacts matched by time.
 #pragma once
 
 #include <memory>
@@ -13,9 +13,9 @@
 
 namespace mikromakro {
 
-/// The files have no time steps: the step is the number of the frame, from 0. Frames that only one of the two
-/// files has are left out and noted. Throws: no time in both, wishes for columns that the files do not have,
-/// and all that mercury_particles and mercury_contacts throw.
+/// The files have no time steps: the step is the number of the frame, from 0. Frames missing from one of the
+/// two files are left out and noted. Throws if no time is in both files, on requests for columns that the
+/// files do not have, and on everything that mercury_particles and mercury_contacts throw on.
 class MercuryFrames : public FrameFormat {
  public:
   /// No contact files: frames without contacts.

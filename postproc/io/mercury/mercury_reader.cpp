@@ -25,7 +25,7 @@ bool begins_with_digit(std::string_view word) {
   return !word.empty() && word[0] >= '0' && word[0] <= '9';
 }
 
-// Of the lower and the upper bounds of two or three dimensions.
+// From the lower and upper bounds in two or three dimensions.
 Box box_of(std::span<const std::string_view> bounds, const Place& place) {
   Box box;
   box.boundaries_known = false;
@@ -68,7 +68,7 @@ std::optional<MercuryBlock> MercuryReader::take_rows(const MercuryHeader& header
   return block;
 }
 
-// False where a cut file ends among them.
+// False if a truncated file ends among the rows.
 bool MercuryReader::cut_rows(std::string& text) {
   const std::int64_t rows = rows_;
   const std::int64_t got = lines_.take(rows, comment, text);
@@ -84,7 +84,7 @@ bool MercuryReader::cut_rows(std::string& text) {
 bool MercuryDataReader::recognises(const std::string& file) {
   const std::string line = first_line(file);
   std::string_view rest = line;
-  // A number alone is the first line of a file of xyz.
+  // A single number is the first line of an xyz file.
   return begins_with_digit(next_word(rest)) && !next_word(rest).empty();
 }
 

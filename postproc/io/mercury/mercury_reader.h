@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Frames of MercuryDPM's files: .data (particles) and .fstat (contacts), headers read, rows cut out.
+// Frames of MercuryDPM files: .data (particles) and .fstat (contacts). Parses headers and cuts out rows.
 //
 // Source of the layout: DPMBase::outputXBallsData, readNextDataFile, writeFstatHeader and
 // BaseInteraction::writeToFStat of MercuryDPM (www.mercurydpm.org).
@@ -17,26 +17,26 @@
 
 namespace mikromakro {
 
-/// Of the particles of a frame, m.
+/// Range of particle radii in a frame, m.
 struct Radii {
   double smallest = 0, largest = 0;
 };
 
-/// What stands above the rows of one frame: in .data `N time xmin ymin xmax ymax` (rows of 8 columns) or
-/// `N time xmin ymin zmin xmax ymax zmax` (14 columns), in .fstat three lines that begin with #: the time,
-/// the bounds, and the smallest and the largest radius of interaction, which is the radius without cohesion.
+/// Header of one frame: in .data `N time xmin ymin xmax ymax` (rows of 8 columns) or `N time xmin ymin zmin
+/// xmax ymax zmax` (14 columns); in .fstat three lines that begin with #: the time, the bounds, and the
+/// smallest and largest interaction radius, which is the particle radius without cohesion.
 struct MercuryHeader {
   double time = 0;
   std::int64_t rows = 0;       ///< .data only
-  std::optional<Box> box;      ///< .fstat: where its second line holds six bounds
-  std::optional<Radii> radii;  ///< .fstat: where its third line begins with them
+  std::optional<Box> box;      ///< .fstat: if its second line holds six bounds
+  std::optional<Radii> radii;  ///< .fstat: if its third line begins with them
   int columns = 0;
-  std::int64_t line = 0;  ///< the last one of the header
+  std::int64_t line = 0;  ///< last line of the header
 
-  std::int64_t step = 0;  ///< the number of the frame in its file, from 0
+  std::int64_t step = 0;  ///< index of the frame in its file, from 0
 
   double order() const { return time; }
-  /// Within the six digits that the files have at least.
+  /// To the six digits that the files have at least.
   bool same_time(const MercuryHeader& other) const;
   std::string time_text() const;
 };
@@ -46,10 +46,10 @@ struct MercuryBlock {
   std::string file;
   MercuryHeader header;
   std::string text;
-  bool may_be_cut = false;  ///< rows up to the end of the file, where no header says how many there should be
+  bool may_be_cut = false;  ///< rows extend to the end of the file and their number is not known
 };
 
-/// What both kinds of files have in common: frames, headers of which the kinds read, and rows below them.
+/// Common to both kinds of files: headers, which the subclasses parse, each followed by rows.
 class MercuryReader {
  public:
   using Header = MercuryHeader;
@@ -57,7 +57,7 @@ class MercuryReader {
   static constexpr std::string_view not_ascending = "times do not ascend";
   static constexpr bool has_pieces = false;
 
-  /// Nothing where a compressed file was cut among them (in .fstat: anywhere behind the header).
+  /// None if a compressed file was truncated among them (in .fstat: anywhere after the header).
   std::optional<MercuryBlock> take_rows(const MercuryHeader& header);
   bool cut() const { return lines_.cut(); }
 
@@ -68,33 +68,33 @@ class MercuryReader {
   static constexpr std::int64_t to_the_next_header = std::numeric_limits<std::int64_t>::max();
 
   explicit MercuryReader(const std::string& file) : lines_(file) {}
-  /// The first line of the next header; rows that nobody has taken are skipped, and empty lines, which may
-  /// end a file. False at the end. Throws where the file, which should be `kind`, is empty.
+  /// The first line of the next header, after skipping rows that were not taken and empty lines, which may
+  /// end a file. False at the end. Throws if the file, which should be of kind `kind`, is empty.
   bool next_frame(std::string_view& line, std::string_view kind);
 
   LineReader lines_;
-  std::int64_t frames_ = 0;  ///< headers that were read
-  std::int64_t rows_ = 0;    ///< of the last header, until they are cut out
+  std::int64_t frames_ = 0;  ///< headers read so far
+  std::int64_t rows_ = 0;    ///< of the last header, until they are taken
 
  private:
   bool cut_rows(std::string& text);
 };
 
-/// Throws whatever is no .data file: a header of another length, fewer rows than it says.
+/// Throws if this is not a .data file: a header of the wrong length, fewer rows than it announces.
 class MercuryDataReader : public MercuryReader {
  public:
   explicit MercuryDataReader(const std::string& file) : MercuryReader(file) {}
-  /// Whether a file begins as .data files do, with a number and others behind it.
+  /// Whether a file begins like a .data file, with a number followed by others.
   static bool recognises(const std::string& file);
   bool next_header(MercuryHeader& header);
 };
 
-/// Throws whatever is no .fstat file. It does not say how many rows a frame has: a file that was cut between
-/// two lines of its last frame looks complete.
+/// Throws if this is not an .fstat file. The format does not give the number of rows: a file truncated
+/// between two lines of its last frame looks complete.
 class MercuryFstatReader : public MercuryReader {
  public:
   explicit MercuryFstatReader(const std::string& file) : MercuryReader(file) {}
-  /// Whether a file begins as .fstat files do, with # and the time.
+  /// Whether a file begins like an .fstat file, with # and the time.
   static bool recognises(const std::string& file);
   bool next_header(MercuryHeader& header);
 

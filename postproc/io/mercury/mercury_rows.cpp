@@ -89,10 +89,10 @@ void check_index(std::int64_t index, const std::vector<Particle>& particles, con
                   fmt::format("{}", index));
 }
 
-// The contact point lies in the overlap, on the normal (ours, outwards) through the disc's centre.
+// The contact point lies in the overlap, on the (outward) normal through the disc's centre.
 void check_point(const FstatRow& row, const Eigen::Vector2d& normal, const Particle& disc,
                  const Place& place) {
-  constexpr double digits = 1e-4;  // of the radius, since the files keep six digits of the coordinates
+  constexpr double digits = 1e-4;  // of the radius, as the files keep six digits of the coordinates
   const Eigen::Vector2d right = disc.position + (disc.radius - row.overlap / 2) * normal;
   const double allowed = std::abs(row.overlap) / 2 + digits * (disc.radius + disc.position.norm());
   if ((row.point - right).norm() <= allowed) return;
@@ -103,7 +103,7 @@ void check_point(const FstatRow& row, const Eigen::Vector2d& normal, const Parti
                   fmt::format("{:.9g} {:.9g}", row.point.x(), row.point.y()));
 }
 
-// Without it the tangential force has no direction.
+// The tangential force needs a valid unit tangent for its direction.
 void check_tangent(const FstatRow& row, const Place& place) {
   constexpr double digits = 1e-4;
   const bool right =
@@ -116,7 +116,7 @@ void check_tangent(const FstatRow& row, const Place& place) {
 
 ContactRow contact_of(const FstatRow& row, const std::vector<Particle>& particles, const Place& place) {
   const bool wall = row.j < 0;
-  // Ours points from 1 to 2, that is from i to j.
+  // Our normal points from 1 to 2, that is from i to j.
   const Eigen::Vector2d normal = wall ? row.normal : Eigen::Vector2d(-row.normal);
   const double side = wall ? -1 : 1;
   const Eigen::Vector2d force = side * (row.normal_force * row.normal + row.tangential_force * row.tangent);
@@ -150,13 +150,13 @@ ContactRow contact_of(const FstatRow& row, const std::vector<Particle>& particle
   return contact;
 }
 
-// The rows that a pair has had so far: i before j, and the other way round.
+// The rows of a pair seen so far: i before j, and the reverse.
 struct Seen {
   FstatRow first;
   bool twice = false;
 };
 
-// Whether it is the second row of a pair of free particles.
+// Whether this is the second row of a pair of free particles.
 bool is_mirrored(const FstatRow& row, std::map<std::pair<std::int64_t, std::int64_t>, Seen>& seen,
                  const Place& place) {
   if (row.j < 0) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where our HDF5 snapshots hold what: H5MD 1.1 (https://nongnu.org/h5md/h5md.html) for the particles,
-// contacts beside it.
+// Layout of our HDF5 snapshots: H5MD 1.1 (https://nongnu.org/h5md/h5md.html) for the particles, plus
+// contacts.
 #pragma once
 
 #include <string>
@@ -10,20 +10,20 @@
 
 namespace mikromakro::snapshot {
 
-/// /particles/discs/<name>/{step, time, value}; H5MD wants one number N of particles for all frames, and lets
-/// places stay empty where it changes: the id there is no_id.
+/// /particles/discs/<name>/{step, time, value}. H5MD requires one particle number N for all frames; if the
+/// number varies, unused places have the id no_id.
 inline const std::string discs = "/particles/discs/";
 inline constexpr std::int64_t no_id = -1;
 
-/// Beside H5MD's words in the attribute `boundary`: 1 or 0 per axis. HDF5 puts words of any length where no
-/// sum protects them, and may go round for ever where that is damaged; so no average needs them.
+/// Complements H5MD's strings in the attribute `boundary`: 1 or 0 per axis. HDF5 stores variable-length
+/// strings without a checksum, and damage there can make it loop forever, so no average relies on them.
 inline const std::string box = "/particles/discs/box";
 inline std::string corner_path(const std::string& name) {
   return box + "/" + name + "/value";
 }  // low, edges
 inline const std::string periodic = "periodic";
 
-/// One of the quantities of a disc and the columns that it holds, one or two numbers per disc.
+/// A quantity of a disc and the columns that it holds, one or two numbers per disc.
 struct Element {
   std::string_view name;
   std::string_view unit;
@@ -48,8 +48,8 @@ inline std::string value_path(const Element& element) {
   return discs + std::string(element.name) + "/value";
 }
 
-/// /contacts/<column>: rows of all frames one after the other, by the names of `compute contact/disc`; those
-/// of frame i are offset[i] to offset[i + 1]; /contacts/step.
+/// /contacts/<column>: rows of all frames concatenated, named as in `compute contact/disc`; frame i has rows
+/// offset[i] to offset[i + 1]; /contacts/step.
 inline const std::string contacts = "/contacts/";
 inline constexpr std::string_view contact_units[] = {"",  "",  "m", "m", "m",     "m",     "", "",  "m", "N",
                                                      "N", "N", "N", "m", "m s-1", "m s-1", "", "m", "m", "m"};
@@ -61,14 +61,14 @@ inline std::string contact_path(std::size_t slot) {
   return contacts + std::string(contact_column_names[slot]);
 }
 
-/// Of runs only. /walls/<name>/{step, time, value}: numbers of a fix, frame by frame; attribute `style` of
-/// /walls/<name> tells which, attribute `names` of /walls lists the walls.
+/// For runs only. /walls/<name>/{step, time, value}: the numbers of a fix, frame by frame; the attribute
+/// `style` of /walls/<name> defines them, the attribute `names` of /walls lists the walls.
 inline const std::string walls = "/walls/";
 
-/// Of runs only. What does not change: words as attributes, numbers as datasets.
+/// For runs only. Constants: strings as attributes, numbers as datasets.
 inline const std::string parameters = "/parameters";
 
-/// A frame that was being written when its run was killed may have left rows behind: those frames are there
-/// that have a step, and a row that has got no number yet has the step no_id.
+/// A run killed while writing a frame may leave rows behind: a frame exists only if it has a step, and rows
+/// not yet written have the step no_id.
 
 }  // namespace mikromakro::snapshot

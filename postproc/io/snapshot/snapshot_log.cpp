@@ -14,7 +14,7 @@
 namespace mikromakro {
 namespace {
 
-// Discs that are in both frames are the same ones; a few may have come or gone.
+// Discs present in both frames must be the same; some may have been added or removed.
 void check_discs(const RawFrame& there, const RawFrame& present, const std::string& file) {
   const IdMap ids(present.particles);
   std::size_t common = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The snapshot file of a run: frame after frame, whatever happens to the run.
+// The snapshot file of a run, appended frame by frame and readable at any time.
 #pragma once
 
 #include <string>
@@ -9,23 +9,22 @@
 
 namespace mikromakro {
 
-/// Appends frames to one HDF5 file in the layout of snapshot_layout.h, which may be read at any time. The
-/// file appears with its first frame. For each further one it is opened, added to as HDF5's single writer
-/// beside many readers, and closed: whenever the process is killed, the frames that were complete can be
-/// read.
+/// Appends frames to one HDF5 file in the layout of snapshot_layout.h. The file is created with the first
+/// frame. For each further frame it is opened as HDF5's single writer with many readers, extended and closed:
+/// whenever the process is killed, all complete frames can be read.
 class SnapshotLog {
  public:
-  /// `program`: name and version of who writes. Throws what check_snapshot_name throws.
+  /// `program`: name and version of the writing program. Throws what check_snapshot_name throws.
   SnapshotLog(std::string file, std::string program, SnapshotParameters parameters);
 
-  /// Continues the file, if it is there: frames after `present` are dropped, for the run comes by there
-  /// again. Gives their number. Throws (bad input) where the file is of another system: other parameters, or
-  /// discs of the same id that have another type or radius than in `present`.
+  /// Continues the file if it exists: frames after `present` are dropped, since the run will reach them
+  /// again. Returns their number. Throws (bad input) if the file belongs to another system: other parameters,
+  /// or discs whose type or radius differs from the disc with the same id in `present`.
   std::int64_t resume(const RawFrame& present);
 
-  /// Appends the frame, in a new file unless this one was resumed; nothing where the last frame has its step.
-  /// Throws: steps that do not ascend, another program that writes to the same file (failed run), and all
-  /// that SnapshotWriter throws.
+  /// Appends the frame, in a new file unless one was resumed; does nothing if the last frame has the same
+  /// step. Throws on steps that do not ascend, on another program writing to the same file (failed run), and
+  /// on everything that SnapshotWriter throws on.
   void add(const RawFrame& frame);
 
  private:
@@ -40,7 +39,7 @@ class SnapshotLog {
   bool begun_ = false;
 };
 
-/// Throws (bad input) where no such file can be written, or its name is none of an HDF5 file.
+/// Throws (bad input) if the file cannot be written, or if its name is not that of an HDF5 file.
 void check_snapshot_name(const std::string& file);
 
 }  // namespace mikromakro

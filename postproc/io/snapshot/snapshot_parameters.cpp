@@ -33,14 +33,14 @@ void check(const std::string& file, const std::string& name, const std::string& 
   throw bad_input({file}, fmt::format("is of another system, {} differs", name), there, wanted);
 }
 
-// Empty: without one, or none there.
+// Empty if there is no such dataset, or if it has no unit.
 std::string unit_of(const Hdf5File& file, const std::string& name) {
   const std::string path = snapshot::parameters + "/" + name;
   if (!file.has(path) || !file.has_attribute(path, "unit")) return "";
   return fmt::format("{}", fmt::join(file.text_attribute(path, "unit"), " "));
 }
 
-// None where there are none.
+// Empty if there is no such dataset.
 std::vector<double> numbers_in(const Hdf5File& file, const std::string& name) {
   const std::string path = snapshot::parameters + "/" + name;
   if (!file.has(path)) return {};
@@ -74,7 +74,7 @@ double height_in(const Hdf5File& file, const std::string& place) {
   return heights[0];
 }
 
-// Of each pair of types; none where there are none.
+// One number per pair of types; empty if there is no such dataset.
 std::vector<double> table_in(const Hdf5File& file, const std::string& name, const std::string& place) {
   std::vector<double> numbers = numbers_in(file, name);
   if (numbers.empty()) return numbers;
@@ -113,7 +113,7 @@ void write_parameters(Hdf5File& file, const SnapshotParameters& parameters) {
   file.add_group(snapshot::parameters);
   if (!parameters.engine.empty()) file.attribute("/h5md/creator", "engine", parameters.engine);
   for (const auto& [name, words] : parameters.words) {
-    if (name == "units" && words.size() == 1)  // which averages read
+    if (name == "units" && words.size() == 1)  // averages rely on it
       file.guarded_attribute(snapshot::parameters, name, words.front());
     else if (words.size() == 1)
       file.attribute(snapshot::parameters, name, words.front());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a run says once about itself in its snapshot file.
+// Constants of a run, stored once in its snapshot file.
 #pragma once
 
 #include <string>
@@ -10,36 +10,36 @@
 
 namespace mikromakro {
 
-/// The law, its effects and its constants: words as attributes of /parameters, numbers as datasets below it
-/// (SI units).
+/// The contact law, its options and its constants: strings as attributes of /parameters, numbers as datasets
+/// below it (SI units).
 struct SnapshotParameters {
   struct Numbers {
     std::string name;
-    std::string unit;  ///< empty: none is known
+    std::string unit;  ///< empty: not known
     Hdf5Shape shape;
     std::vector<double> values;
     bool operator==(const Numbers&) const = default;
   };
   std::vector<std::pair<std::string, std::vector<std::string>>> words;
   std::vector<Numbers> numbers;
-  std::string engine = {};  ///< name and version; it alone may change when a file is continued
+  std::string engine = {};  ///< name and version; the only member that may change when a file is continued
   bool operator==(const SnapshotParameters&) const = default;
 };
 
-/// What averages take of it.
+/// The constants that averages use.
 struct RunConstants {
-  std::string units;                     ///< as the engine calls them; empty: not said
-  double height = 0;                     ///< m, 0: not said
+  std::string units;                     ///< as the engine calls them; empty: not given
+  double height = 0;                     ///< m, 0: not given
   std::vector<double> normal_stiffness;  ///< k_n (N/m) of all pairs of types i, j at (i - 1) * types + j - 1;
-                                         ///< none for other laws than linear ones
-  bool hertz = false;                    ///< whose kn (N/m^2) is no stiffness of that kind
+                                         ///< empty for non-linear laws
+  bool hertz = false;                    ///< Hertz: kn (N/m^2) is not a linear stiffness
   std::vector<double> friction;          ///< mu of all pairs of types
 };
 RunConstants read_constants(const Hdf5File& file, const std::string& name);
 
 void write_parameters(Hdf5File& file, const SnapshotParameters& parameters);
 
-/// Throws, naming the first difference, unless the file `name` holds the same.
+/// Throws, naming the first difference, unless the file `name` holds the same parameters.
 void check_parameters(const Hdf5File& file, const std::string& name, const SnapshotParameters& parameters);
 
 }  // namespace mikromakro

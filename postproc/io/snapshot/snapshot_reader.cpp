@@ -24,10 +24,10 @@ ColumnNames without_option(const ColumnNames& names) {
   return {names.known, names.ignored, ""};
 }
 
-// Rows are filled by blocks that stay in the processor's cache.
+// Rows are filled in blocks that fit the processor's cache.
 constexpr std::size_t rows_of_block = 256;
 
-// Numbers of a dataset that lie side by side in the rows, from slot `first` on.
+// Numbers of a dataset that are adjacent in the rows, from slot `first` on.
 struct Stripe {
   const PackedNumbers* numbers;
   std::size_t first, width;
@@ -43,13 +43,13 @@ auto& slots_of(ContactRow& row) {
 
 void check_finite(std::span<const double> numbers, const std::function<Place(std::size_t)>& place_of) {
   const Eigen::Map<const Eigen::ArrayXd> all(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
-  if ((0 * all).sum() == 0) return;  // one sweep in vectors
+  if ((0 * all).sum() == 0) return;  // one vectorised sweep
   const auto bad = std::find_if(numbers.begin(), numbers.end(), [](double x) { return !std::isfinite(x); });
   throw bad_input(place_of(static_cast<std::size_t>(bad - numbers.begin())), "not a finite number",
                   "a finite number", fmt::format("{}", *bad));
 }
 
-// Numbers of a block, unpacked into `buffer` where they cannot be read in place.
+// Numbers of a block, unpacked into `buffer` unless they can be read in place.
 std::span<const double> numbers_of(const Stripe& stripe, std::size_t begin, std::size_t rows,
                                    std::vector<double>& buffer) {
   const auto& [packed, first, width] = stripe;
@@ -60,7 +60,7 @@ std::span<const double> numbers_of(const Stripe& stripe, std::size_t begin, std:
   return buffer;
 }
 
-// The rows from row `begin` of the frame on. Throws where a number is not finite.
+// Fills the rows from row `begin` of the frame on. Throws if a number is not finite.
 template <typename Row>
 void fill_block(const std::vector<Stripe>& stripes, std::size_t begin, std::span<Row> block,
                 const std::string& file) {
@@ -92,7 +92,7 @@ struct Boxes {
     }
   }
 
-  /// The first one that is not like the one before it; 0 where all are.
+  /// The first frame whose box differs from that of the frame before; 0 if there is none.
   std::size_t first_other() const {
     for (std::size_t frame = 1; 2 * frame < low.size(); ++frame)
       if (is_another(of(frame - 1), of(frame))) return frame;
@@ -139,11 +139,11 @@ struct SnapshotReader::Open {
   Hdf5File file;
   SnapshotSummary summary;
   Boxes boxes;
-  std::vector<ChunkReader> elements;  // by the order of snapshot::elements
+  std::vector<ChunkReader> elements;  // in the order of snapshot::elements
   std::vector<ChunkReader> columns;   // by ContactColumn
 };
 
-// Where both have frames.
+// If both files have frames.
 bool SnapshotReader::are_of_two_systems(const Open& before, const Open& after) {
   const std::size_t frames = before.summary.steps.size();
   return frames > 0 && !after.summary.steps.empty() &&
@@ -192,7 +192,7 @@ std::int64_t SnapshotReader::contact_rows() const {
   return offsets.empty() ? 0 : offsets[frame_] - offsets[frame_ - 1];
 }
 
-// A frame as it lies in the file.
+// A frame as stored in the file.
 struct SnapshotReader::Packed {
   std::string place;
   std::int64_t step = 0;
@@ -221,7 +221,7 @@ UnpackFrame SnapshotReader::take(bool closely) {
   packed->particles_given = summary.particles_given;
   for (std::size_t i = 0; i < std::size(snapshot::elements); ++i) {
     const bool given = (snapshot::elements[i].columns() & ~summary.particles_given) == 0;
-    // A frame with more discs than any before it, if it is not complete yet, has widened only some of them.
+    // An incomplete frame with more discs than any before may have widened only some of the datasets.
     ChunkReader& element = open_->elements[i];
     packed->elements.push_back(
         given ? element.take_row(frame, std::min(summary.most_particles, element.places()))
@@ -276,7 +276,7 @@ void SnapshotReader::Packed::unpack_particles(RawFrame& frame) const {
   frame.particles.reserve(count);
   ParticleSlots empty;
   empty.fill(not_given);
-  // The columns that are there overwrite those of the block before.
+  // The available columns overwrite those of the previous block.
   std::vector<ParticleSlots> block(rows_of_block, empty);
   Place row{place, 0};
   for (std::size_t begin = 0; begin < count; begin += block.size()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Frames of our HDF5 snapshots.
+// Reads frames of our HDF5 snapshots.
 #pragma once
 
 #include <map>
@@ -14,9 +14,9 @@
 
 namespace mikromakro {
 
-/// Reads one frame at a time, only columns that are needed. Checks numbers as the text readers do; in
-/// messages the line is the row within the frame. Throws: no or damaged HDF5, missing columns, time steps
-/// that do not ascend, numbers that are none.
+/// Reads one frame at a time, and only the columns needed. Checks numbers like the text readers; in messages,
+/// the line is the row within the frame. Throws on missing or damaged HDF5 files, missing columns, time steps
+/// that do not ascend, and non-finite numbers.
 class SnapshotReader : public FrameFormat {
  public:
   SnapshotReader(std::vector<std::string> files, ColumnWishes wishes);

@@ -36,7 +36,7 @@ std::vector<std::int64_t> all_of(const Hdf5File& file, const std::string& path) 
   return numbers;
 }
 
-// Files of other programs may have other units; a file of ours says its own. None: SI.
+// Files of other programs may use other units; our files name theirs. No unit: SI.
 void check_unit(const Hdf5Dataset& dataset, const std::string& path, std::string_view unit,
                 const std::string& name) {
   if (unit.empty()) return;
@@ -46,7 +46,7 @@ void check_unit(const Hdf5Dataset& dataset, const std::string& path, std::string
                     in_quotes(fmt::format("{}", fmt::join(*there, " "))));
 }
 
-// One or two numbers for each place of each frame; other programs write three coordinates.
+// One or two numbers per place and frame; other programs write three coordinates.
 void check_shape(const Hdf5Shape& shape, const snapshot::Element& element, const std::string& name) {
   const auto width = static_cast<std::uint64_t>(element.width);
   const bool fits = width == 1 ? shape.size() == 2 : shape.size() == 3 && shape[2] == width;
@@ -56,7 +56,8 @@ void check_shape(const Hdf5Shape& shape, const snapshot::Element& element, const
                     fmt::format("{}", fmt::join(shape, " x ")));
 }
 
-// Ours are one object with those of the positions; pieces of another run may have been put beside them.
+// In our files this is the same object as the steps of the positions; parts of another run may have been
+// added.
 void check_steps(const Hdf5File& file, const std::string& path, const std::vector<std::int64_t>& steps,
                  std::string_view what, const std::string& name) {
   if (path == steps_path || !file.has(path) || file.are_one(path, steps_path)) return;
@@ -67,7 +68,7 @@ void check_steps(const Hdf5File& file, const std::string& path, const std::vecto
                   fmt::format("step {}", *step), other == others.end() ? "none" : fmt::format("{}", *other));
 }
 
-// In s, of each step; empty where the file has none.
+// The time of each step, s; empty if the file has none.
 std::vector<double> times_of(const Hdf5File& file, std::size_t frames, const std::string& name) {
   if (!file.has(times_path)) return {};
   const Hdf5Dataset dataset = file.dataset(times_path);

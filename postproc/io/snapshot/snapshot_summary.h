@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is in a snapshot file.
+// Contents of a snapshot file.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace mikromakro {
 
-/// What is in a snapshot file, told without reading its frames.
+/// Contents of a snapshot file, obtained without reading its frames.
 struct SnapshotSummary {
   std::vector<std::int64_t> steps;
-  std::vector<double> times;                  ///< s; empty: the file has none
+  std::vector<double> times;                  ///< s; empty: none in the file
   std::vector<std::int64_t> contact_offsets;  ///< empty: no contacts
   std::uint64_t most_particles = 0;
   ColumnSet particles_given = 0;
@@ -22,7 +22,7 @@ struct SnapshotSummary {
   std::vector<Hdf5Dataset> elements;  ///< in the order of snapshot::elements
   std::vector<Hdf5Dataset> columns;   ///< by ContactColumn; empty: no contacts
 };
-/// Throws where datasets have other shapes or units than those of the layout, or do not fit together.
+/// Throws if datasets have other shapes or units than in the layout, or are inconsistent.
 SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& name);
 
 }  // namespace mikromakro

@@ -39,7 +39,7 @@ std::vector<std::string> boundary(const Box& box) {
   return kinds;
 }
 
-// One of two components alone has no place in the layout.
+// A single one of two components cannot be stored in the layout.
 ColumnSet storable(ColumnSet given) {
   ColumnSet stored = 0;
   for (const auto& element : snapshot::elements)
@@ -143,7 +143,7 @@ void SnapshotWriter::begin(const RawFrame& frame, std::size_t particles) {
 void SnapshotWriter::begin_element(const std::string& path, Hdf5Type type, const Hdf5Shape& chunk,
                                    std::string_view unit) {
   const std::string value = path + "/value";
-  // A chunk of more than one frame, see Use.
+  // For a chunk with more than one frame, see Use.
   const bool checked = use_ == Use::finished || chunk.front() == 1;
   datasets_[value] = file_.add_growing(value, type, chunk, snapshot::no_id, checked);
   if (!unit.empty()) file_.guarded_attribute(value, "unit", std::string(unit));
@@ -156,7 +156,7 @@ void SnapshotWriter::begin_contacts(const RawFrame& frame, std::size_t particles
   contacts_given_ = frame.contacts.given_in_all();
   constexpr std::uint64_t fewest = 1024;
   const bool checked = use_ == Use::finished;
-  // The first frame of a run may have far fewer contacts than the later ones.
+  // The first frame of a run may have far fewer contacts than later ones.
   const std::uint64_t chunk =
       std::max<std::uint64_t>(checked ? frame.contacts.rows.size() : particles / 4, fewest);
   datasets_[snapshot::contacts + "offset"] =
@@ -175,7 +175,7 @@ void SnapshotWriter::begin_contacts(const RawFrame& frame, std::size_t particles
   if (with_time_) file_.link(time_path, snapshot::contacts + "time");
 }
 
-// A file stays open, and locked, as long as one of its datasets is.
+// A file stays open, and locked, as long as any of its datasets is open.
 void SnapshotWriter::close() {
   datasets_.clear();
   walls_ = {};
@@ -229,7 +229,7 @@ void SnapshotWriter::add_particles(const std::vector<Particle>& particles) {
       numbers.reserve(most_particles_);
       for (const Particle& particle : particles)
         numbers.push_back(element.first == ParticleColumn::id ? particle.id : particle.type);
-      // What an unfinished frame has left there.
+      // Overwrites what an unfinished frame may have left.
       numbers.resize(most_particles_, snapshot::no_id);
       block.count[1] = most_particles_;
       dataset.write<std::int64_t>(block, numbers);
@@ -254,7 +254,7 @@ void SnapshotWriter::add_contacts(const ContactRows& rows) {
     std::vector<double> numbers;
     numbers.reserve(rows.rows.size());
     for (const ContactRow& row : rows.rows) numbers.push_back(row[column]);
-    // HDF5 turns whole numbers into integers on the way.
+    // HDF5 converts to integers where the dataset holds integers.
     dataset.write<double>(block, numbers);
   }
   rows_ += rows.rows.size();

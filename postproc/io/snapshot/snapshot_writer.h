@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Frames into one HDF5 file.
+// Writes frames to an HDF5 file.
 #pragma once
 
 #include <map>
@@ -12,32 +12,32 @@
 
 namespace mikromakro {
 
-/// Writes frames one by one, in the layout of snapshot_layout.h; numbers as doubles, bit by bit. What the
-/// first frame gives is what the file holds. Throws: a later frame gives other columns, another box or
-/// periodicity of another kind (bad input); a disk that is full (failed run).
+/// Writes frames one by one, in the layout of snapshot_layout.h; numbers as doubles, bit for bit. The first
+/// frame defines the contents of the file. Throws if a later frame has other columns, another box or other
+/// periodicity (bad input), and on a full disk (failed run).
 class SnapshotWriter {
  public:
-  /// A file of a run is added to while others read it, and whatever happens to the run: what frames share is
-  /// never written anew with a sum that a kill could leave half-way, so only what belongs to one frame has
-  /// sums; and the step comes last.
+  /// The file of a run is appended to while others read it and the run may be killed at any time. Checksummed
+  /// data that frames share are therefore never rewritten, which a kill could interrupt: only data of a
+  /// single frame have checksums, and the step is written last.
   enum class Use { finished, running };
 
-  /// `time_step` > 0 (s): times are written too. `program`: name and version, for the file's creator.
+  /// `time_step` > 0 (s): also writes times. `program`: name and version, stored as the file's creator.
   SnapshotWriter(const std::string& file, const std::string& program, double time_step);
-  /// Times are those of the frames.
+  /// Takes the times from the frames.
   SnapshotWriter(const std::string& file, const std::string& program, Use use);
-  /// Continues a file of a run, `name`, whose unfinished frame, if there is one, is written over.
+  /// Continues a file of a run, `name`; an unfinished frame is overwritten.
   SnapshotWriter(Hdf5File file, const std::string& name);
 
   std::uint64_t frames() const { return frames_; }
-  /// Throws where `frame` has other columns or boundaries than those that are there.
+  /// Throws if `frame` has other columns or boundaries than the file.
   void check_same(const RawFrame& frame) const;
-  /// Drops all frames but the first ones of a file that was continued.
+  /// Truncates a continued file to its first `frames` frames.
   void keep(std::uint64_t frames);
 
   void add(const RawFrame& frame, const std::vector<Particle>& particles);
   void add_parameters(const SnapshotParameters& parameters) { write_parameters(file_, parameters); }
-  /// Those of another file, if it has any.
+  /// Copies the parameters of another file, if it has any.
   void copy_parameters(const Hdf5File& run);
   void close();
 

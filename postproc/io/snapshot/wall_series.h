@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The numbers of walls, frame by frame, in a snapshot file.
+// The wall data of a snapshot file, frame by frame.
 #pragma once
 
 #include <map>
@@ -14,17 +14,17 @@ namespace mikromakro {
 /// /walls of snapshot_layout.h. The walls of the first frame are those of the file.
 class WallSeries {
  public:
-  /// Makes the datasets; `step_path`, `time_path`: what /walls/<name>/step and time are other names of, the
-  /// latter "" where there is none.
+  /// Creates the datasets. `step_path`, `time_path`: targets that /walls/<name>/step and time are linked to,
+  /// the latter "" if there is none.
   void begin(Hdf5File& file, const std::vector<WallState>& walls, const std::string& step_path,
              const std::string& time_path);
-  /// Those of a file that is there.
+  /// Opens those of an existing file.
   void resume(const Hdf5File& file);
 
-  /// Throws where a wall is there that is not in the file, or has another number of numbers.
+  /// Throws if a wall is not in the file, or has a different number of values.
   void check(const std::vector<WallState>& walls, const Place& place) const;
 
-  /// nan for a wall that is not there in this frame. Throws what check() does.
+  /// nan for walls that are missing from this frame. Throws what check() throws.
   void add(const std::vector<WallState>& walls, std::uint64_t frame, const Place& place);
 
  private:

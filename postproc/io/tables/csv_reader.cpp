@@ -95,7 +95,7 @@ Eigen::ArrayXd CsvTable::column(std::string_view name) const {
   return values_.col(found - names_.begin());
 }
 
-// 'column NAME [UNIT] (EQUATION) TEXT', as CsvWriter has it.
+// 'column NAME [UNIT] (EQUATION) TEXT', as written by csv_text().
 std::string CsvTable::unit(std::string_view name) const {
   const std::string begin = fmt::format("column {} [", name);
   for (const std::string_view line : comments_)

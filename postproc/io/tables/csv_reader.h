@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Tables in comma-separated text, as `mikromakro average` writes them.
+// Reads comma-separated tables as written by `mikromakro average`.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,24 +11,24 @@
 
 namespace mikromakro {
 
-/// A table of numbers by column names.
+/// A table of numbers with column names.
 class CsvTable {
  public:
-  /// Reads `file`: lines with '#' first, a line of names, rows of numbers (nan allowed).
-  /// Throws: no names, names twice, a row with another number of columns, a value that is no number.
+  /// Reads `file`: leading lines with '#', a line of names, rows of numbers (nan allowed). Throws on missing
+  /// or duplicate names, a row with a different number of columns, and a value that is not a number.
   explicit CsvTable(const std::string& file);
 
   const std::string& file() const { return file_; }
   const std::vector<std::string>& names() const { return names_; }
   Eigen::Index rows() const { return values_.rows(); }
   bool has(std::string_view name) const;
-  /// Throws when there is no such column.
+  /// Throws if there is no such column.
   Eigen::ArrayXd column(std::string_view name) const;
-  /// The unit that the lines above the table tell of a column, empty where they do not.
+  /// The unit of a column as given in the lines above the table, empty if not given.
   std::string unit(std::string_view name) const;
-  /// Where a row (from 0) stands in the file.
+  /// Location of a row (from 0) in the file.
   Place row_place(Eigen::Index row) const { return {file_, row_lines_[static_cast<std::size_t>(row)]}; }
-  /// Lines with '#', without it.
+  /// Text of the lines with '#'.
   const std::vector<std::string>& comments() const { return comments_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Tables to comma-separated text.
+// Writes tables as comma-separated text.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace mikromakro {
 
-/// What stands above the table: pairs of a name and its value, one '#' line each.
+/// Header of a table: pairs of name and value, one '#' line each.
 using Preamble = std::vector<std::pair<std::string, std::string>>;
 
-/// A number with 17 significant digits, so that reading gives back the same double; "nan" for every nan.
+/// A number with 17 significant digits, which restores the same double; "nan" for every nan.
 std::string number_text(double value);
 
 /// '#' lines (the preamble, then unit, equation and meaning of each column), a line of names, one line per

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A small JSON object for the program's --json outputs.
+// A minimal JSON object for the program's --json outputs.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace mikromakro {
 
-/// Keys keep the order in which they were added; nan and inf become null, as JSON has no such numbers.
+/// Keys keep their insertion order; nan and inf become null, since JSON has no such numbers.
 class JsonObject {
  public:
   void add(std::string_view key, double value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Tables of averages as HDF5 that explains itself.
+// Tables of averages as self-describing HDF5.
 #pragma once
 
 #include <string>
@@ -8,9 +8,10 @@
 
 namespace mikromakro {
 
-/// /table/<column>: one dataset of doubles per column, each with attributes unit, equation and text;
-/// attribute `columns` of /table: their names in order. The root has what stands above a CSV: program and
-/// version, inputs, options, one attribute for each name (a list where a name is there more than once).
+/// /table/<column>: one dataset of doubles per column, with the attributes unit, equation and text; the
+/// attribute `columns` of /table lists their names in order. The root has the header of a CSV file as
+/// attributes: program and version, inputs, options, one attribute per name (a list if a name occurs more
+/// than once).
 void write_table_hdf5(const std::string& file, const Preamble& preamble, const Table& table);
 
 }  // namespace mikromakro

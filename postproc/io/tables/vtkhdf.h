@@ -10,7 +10,7 @@
 
 namespace mikromakro {
 
-/// A polygon in the plane (m) that shows the values of one row of a table.
+/// A polygon in the plane (m) that shows the values of one table row.
 struct Outline {
   std::vector<Eigen::Vector2d> corners;
   Eigen::Index row = 0;
@@ -18,7 +18,7 @@ struct Outline {
 
 /// VTK's HDF5 layout
 /// (https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html#vtkhdf-file-format), UnstructuredGrid
-/// version 1.0: polygons with every column of the table as cell data. ParaView 5.11 and later open it.
+/// version 1.0: polygons with every column of the table as cell data. Readable by ParaView 5.11 and later.
 void write_vtkhdf(const std::string& file, const Table& table, const std::vector<Outline>& outlines);
 
 }  // namespace mikromakro

@@ -13,9 +13,9 @@ using Names = std::vector<std::string>;
 constexpr std::string_view liggghts = "liggghts";
 constexpr std::string_view lammps = "lammps";
 
-// Parts of the rows of LIGGGHTS's computes, in their order.
+// Parts of the rows of the LIGGGHTS computes, in their order.
 const Names places = {"x1", "y1", "z1", "x2", "y2", "z2"};
-// Of walls the contact point comes first.
+// For walls the contact point comes first.
 const Names wall_places = {"x2", "y2", "z2", "x1", "y1", "z1"};
 const Names velocities(6, "-");
 const Names ids = {"id1", "id2", "periodic"};
@@ -50,7 +50,7 @@ Names columns_of_liggghts(std::size_t count, bool walls, const Place& place) {
                   "6, 12, 13, 15, 16, 22 or 25 columns", fmt::format("{}", count));
 }
 
-// LAMMPS counts the rows first where it is asked to.
+// LAMMPS prepends a row index on request.
 std::size_t counted_rows(const DumpHeader& header) {
   return header.columns.front() == "index" ? 1 : 0;
 }

@@ -15,7 +15,7 @@ namespace {
 
 using enum ContactColumn;
 
-// Six digits of the parts in the plane; nothing leaves the plane of a run in two dimensions.
+// Relative to the in-plane components, for six digits; in a two-dimensional run nothing is out of plane.
 constexpr double plane_tolerance = 1e-5;
 constexpr ColumnSet normal_columns = column_set(nx, ny);
 constexpr ColumnSet place_columns = column_set(x1, y1, x2, y2);
@@ -34,7 +34,7 @@ bool contains(ColumnSet set, ColumnSet columns) {
   return (columns & ~set) == 0;
 }
 
-// LIGGGHTS gives the columns of a compute no names: c_X[1] c_X[2] ...
+// LIGGGHTS does not name the columns of a compute: c_X[1] c_X[2] ...
 bool is_our_compute(const std::vector<std::string>& columns) {
   if (columns.size() != contact_disc_columns) return false;
   const std::string stem = columns[0].substr(0, columns[0].find('['));
@@ -67,7 +67,7 @@ ColumnMap map_contacts(const DumpHeader& header, const ContactFormat& format, co
   return map;
 }
 
-// Columns that tell nothing without others.
+// Columns that are meaningless without others.
 struct Group {
   ColumnSet any, all;
 };
@@ -101,12 +101,12 @@ void check_plane(Slots& row, ColumnSet given, const Place& place) {
                  place);
 }
 
-/// Reads row by row into slots that are filled anew by each.
+/// Reads row by row into slots that each row overwrites.
 class RowReader {
  public:
   RowReader(const DumpHeader& header, const ContactFormat& format, ColumnSet needed, const Place& place)
       : walls_(format.walls), map_(map_contacts(header, format, place)) {
-    // The number of a wall may be left out, or is that of its mesh.
+    // The wall id may be missing, or is that of its mesh.
     if (walls_) map_.given |= column_set(id2);
     const ColumnNames& names = walls_ ? wall_contact_names() : contact_names();
     if (!walls_ && (map_.given & wall_name_columns) != 0)
@@ -114,7 +114,7 @@ class RowReader {
     check_columns(map_, names, place);
     require_columns(map_, required_contact_columns(needed, map_.given), names, place);
     wall_map_ = map_;
-    // In text fn and ft cost little, and tell a force that has been changed.
+    // In text fn and ft cost little, and reveal a modified force.
     const ColumnSet wanted =
         wanted_contact_columns(needed, map_.given, format.closely) | (map_.given & column_set(fn, ft));
     keep_columns(map_, wanted);
@@ -127,7 +127,7 @@ class RowReader {
 
   void read(std::string_view line, ContactRow& row, const Place& place) {
     parse_row(line, map_, row_, place);
-    // Rows of walls are few, and their places tell where the wall is.
+    // Wall rows are few, and their positions locate the wall.
     if (at(row_, id2) <= 0 && map_.given != wall_map_.given) parse_row(line, wall_map_, row_, place);
     if ((map_.given & across_columns) != 0) check_plane(row_, map_.given, place);
     if (contains(map_.given, tangential_columns)) {

@@ -10,18 +10,18 @@
 
 namespace mikromakro {
 
-/// How the columns of a dump are called (empty: as its header says), and which kind of dump it is.
+/// Column names of a dump (empty: as in its header), and its kind.
 struct ContactFormat {
   const std::vector<std::string>& list;
   bool walls = false;
-  bool closely = false;  ///< all columns that can be checked are read
+  bool closely = false;  ///< read all columns that can be checked
 };
 
-/// Reads the rows of a frame. The names are those of the format (none: the header's own, or the 16 columns of
-/// `compute contact/disc` where the header says c_X[1] ... c_X[16]; of walls the preset of LIGGGHTS);
-/// `needed` must be among them, except for what can be derived. Columns that are not wanted are skipped,
-/// whatever they hold. Throws: missing columns, rows that are not in a plane, and all that check_contact_row
-/// throws.
+/// Reads the rows of a frame. Column names are those of the format (if empty: the header's own, or the 16
+/// columns of `compute contact/disc` if the header says c_X[1] ... c_X[16]; for walls, the LIGGGHTS preset).
+/// They must include `needed`, except for what can be derived. Other columns are skipped, whatever they hold.
+/// Throws on missing columns, on rows that are not in a plane, and on everything that check_contact_row
+/// throws on.
 ContactRows read_contacts(const RowBlock& block, const ContactFormat& format, ColumnSet needed);
 
 }  // namespace mikromakro

@@ -20,7 +20,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-// The words of all engines: one letter for each side (LAMMPS, LIGGGHTS), or one for both.
+// Boundary flags of all engines: one letter per side (LAMMPS, LIGGGHTS), or one for both.
 bool is_periodic(std::string_view word, const Place& place) {
   constexpr std::string_view letters = "pfsm";
   const bool known = !word.empty() && word.size() <= 2 &&
@@ -62,14 +62,14 @@ void DumpReader::read_header(DumpHeader& header) {
   const std::string_view line = read_preface(header);
   if (line != "ITEM: TIMESTEP") throw not_a_frame(line);
   ahead_.clear();
-  header.box.boundaries_known = false;  // until it says so
+  header.box.boundaries_known = false;  // unless the header gives them
   header.step = count_line("time step");
   while (read_item(header_line("'ITEM: '"), header)) {
   }
   header.units = units_;
 }
 
-// LAMMPS writes the units before the first frame and the time before the step when asked to.
+// On request, LAMMPS writes the units before the first frame and the time before the step.
 std::string_view DumpReader::read_preface(DumpHeader& header) {
   std::string_view line = ahead_;
   while (line == "ITEM: UNITS" || line == "ITEM: TIME") {
@@ -119,7 +119,7 @@ std::int64_t DumpReader::count_line(std::string_view what) {
   return count;
 }
 
-// Reads one item of the header; false when it was the line with the column names, the last one.
+// Reads one item of the header; false after the last item, the line with the column names.
 bool DumpReader::read_item(std::string_view line, DumpHeader& header) {
   if (!line.starts_with(item_mark))
     throw bad_input(place(), "not a header line", "'ITEM: '", in_quotes(line));
@@ -147,11 +147,11 @@ bool DumpReader::read_item(std::string_view line, DumpHeader& header) {
 void DumpReader::read_box(std::string_view flags, DumpHeader& header) {
   Box& box = header.box;
   const auto kinds = words(flags);
-  // Tilted boxes say 'xy xz yz' or 'abc origin' before their boundaries.
+  // Tilted boxes have 'xy xz yz' or 'abc origin' before the boundary flags.
   if (!kinds.empty() && (kinds.size() != 3 || kinds[0] == "xy" || kinds[0] == "abc"))
     throw bad_input(place(), "box is not orthogonal", "three boundary flags or none", in_quotes(flags));
   box.boundaries_known = !kinds.empty();
-  // The words are gone once the next line is read.
+  // The words are views that the next line invalidates.
   for (std::size_t axis = 0; axis < 2 && !kinds.empty(); ++axis)
     box.periodic[axis] = is_periodic(kinds[axis], place());
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -177,7 +177,7 @@ std::optional<RowBlock> DumpReader::take_rows(const DumpHeader& header) {
   return block;
 }
 
-// False where a cut file ends among them.
+// False if a truncated file ends among the rows.
 bool DumpReader::cut_rows(std::string& text) {
   const std::int64_t rows = rows_;
   const std::int64_t got = lines_.take(rows, item_mark, text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Frames of a LAMMPS / LIGGGHTS text dump (`dump custom`, `dump local`): headers read, rows cut out.
+// Frames of a LAMMPS / LIGGGHTS text dump (`dump custom`, `dump local`): parses headers and cuts out rows.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@
 
 namespace mikromakro {
 
-/// What stands above the rows of one frame.
+/// Header of one frame.
 struct DumpHeader {
   std::int64_t step = 0;
   std::int64_t rows = 0;
   Box box;
   double depth = 0;         ///< of the box in the third dimension
   double time = not_given;  ///< of ITEM: TIME, in the units of the file
-  std::string units;        ///< of ITEM: UNITS, which stands before the first frame only; empty: not named
-  std::string label;  ///< "ATOMS" for particles, "ENTRIES" (or what dump_modify label says) for a local dump
-  std::vector<std::string> columns;  ///< none: the file does not name them
-  std::int64_t line = 0;             ///< of the line with the column names
+  std::string units;        ///< of ITEM: UNITS, which precedes the first frame only; empty: not named
+  std::string label;        ///< "ATOMS" for particles, "ENTRIES" (or the dump_modify label) for a local dump
+  std::vector<std::string> columns;  ///< empty: not named in the file
+  std::int64_t line = 0;             ///< line of the column names
 
   std::int64_t order() const { return step; }
   bool same_time(const DumpHeader& other) const { return step == other.step; }
@@ -31,17 +31,16 @@ struct DumpHeader {
   bool of_particles() const { return label == "ATOMS"; }
 };
 
-/// The rows below one header as text, cut out of a file and not parsed yet; row i is line header.line + 1 +
-/// i.
+/// The unparsed rows below one header; row i is line header.line + 1 + i.
 struct RowBlock {
   std::string file;
   DumpHeader header;
-  std::string text;  ///< whole lines with their ends
+  std::string text;  ///< whole lines, line ends included
 };
 
-/// Throws (bad input, with file and line) on whatever is not a dump: unknown or missing items, counts that
-/// are none, fewer rows than the header says, lines after the last row that do not begin a frame. A
-/// compressed file that was cut ends before its incomplete frame.
+/// Throws (bad input, with file and line) on anything that is not a dump: unknown or missing items, malformed
+/// counts, fewer rows than announced, lines after the last row that do not begin a frame. A truncated
+/// compressed file ends before its incomplete frame.
 class DumpReader {
  public:
   using Header = DumpHeader;
@@ -51,15 +50,14 @@ class DumpReader {
 
   explicit DumpReader(const std::string& file) : lines_(file) {}
 
-  /// Reads the next header, after skipping rows that were not read; false at the end of the file.
+  /// Reads the next header, after skipping rows that were not taken; false at the end of the file.
   bool next_header(DumpHeader& header);
 
-  /// Cuts out the rows below the header that was read last, nothing where a cut file ends among them. What
-  /// follows must be another frame or the end of the file, so that a count that is too small drops no row
-  /// silently.
+  /// Cuts out the rows below the last header; none if a truncated file ends among them. Another frame or the
+  /// end of the file must follow, so that a count that is too small never drops rows silently.
   std::optional<RowBlock> take_rows(const DumpHeader& header);
 
-  /// At the end: the file was cut within its compressed data, and its last frame is left out.
+  /// At the end: the compressed data were truncated, and the last frame is left out.
   bool cut() const { return lines_.cut(); }
 
   Place place() const { return lines_.place(); }
@@ -67,7 +65,7 @@ class DumpReader {
   std::int64_t bytes_read() const { return lines_.bytes_read(); }
 
  private:
-  struct CutFile {};  // thrown within a header that the file does not hold to its end
+  struct CutFile {};  // thrown if the file ends within a header
 
   bool cut_rows(std::string& text);
   void check_frames() const;
@@ -81,10 +79,10 @@ class DumpReader {
   bool read_item(std::string_view item, DumpHeader& header);
 
   LineReader lines_;
-  std::int64_t frames_ = 0;  ///< that were complete
-  std::int64_t rows_ = 0;    ///< of the last header, until they are cut out
+  std::int64_t frames_ = 0;  ///< complete frames so far
+  std::int64_t rows_ = 0;    ///< of the last header, until they are taken
   std::string units_;        ///< as named in the file so far
-  std::string ahead_;        ///< the first line of the next frame, where end_frame has read it
+  std::string ahead_;        ///< the first line of the next frame, if end_frame has read it
 };
 
 }  // namespace mikromakro

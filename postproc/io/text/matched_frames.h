@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Frames that several kinds of files have: particles and contacts, each perhaps in pieces.
+// Frames common to several kinds of files: particles and contacts, each possibly split into pieces.
 #pragma once
 
 #include <algorithm>
@@ -14,23 +14,23 @@
 
 namespace mikromakro {
 
-/// What the sequences need to know of the wishes.
+/// Options of the matching.
 struct Matching {
-  FrameSelection selection;  ///< frames of other steps are left out without a word
+  FrameSelection selection;  ///< unmatched frames of other steps are left out silently
   bool look_through = false;
   std::shared_ptr<Notes> notes;
 };
 
-/// Goes through sequences of files side by side and stops where all have a frame of one step; frames that
-/// only some of them have are left out and noted. Throws where no step is in all of them, and where the
-/// pieces of a dump (files that begin with the same step, where `Reader` has such) are not as many at later
-/// steps.
+/// Advances through several sequences of files in parallel and stops where all have a frame of the same step;
+/// frames missing from some of them are left out and noted. Throws if no step is in all of them, and if the
+/// number of pieces of a dump (files that begin with the same step, if `Reader` supports pieces) changes at
+/// later steps.
 template <typename Header, typename Block>
 class MatchedFrames {
  public:
   explicit MatchedFrames(Matching matching) : matching_(std::move(matching)) {}
 
-  /// Adds a sequence for each piece of the dump, at least one. `Reader` opens its files.
+  /// Adds one sequence per piece of the dump, at least one. `Reader` opens its files.
   template <typename Reader>
   void add(const std::vector<std::string>& files) {
     for (std::vector<std::string>& piece : pieces_of<Reader>(files)) {
@@ -63,7 +63,7 @@ class MatchedFrames {
   const Header& header(std::size_t lane) const { return lanes_[lane].header; }
   const std::string& file(std::size_t lane) const { return lanes_[lane].files->file(); }
 
-  /// The rows of all sequences, in the order in which they were added; none where a cut file ends among them.
+  /// The rows of all sequences, in the order of add(); empty if a truncated file ends among them.
   std::vector<std::shared_ptr<const Block>> take_rows() {
     std::vector<std::shared_ptr<const Block>> blocks;
     for (Lane& lane : lanes_) {
@@ -89,7 +89,7 @@ class MatchedFrames {
 
   static void advance(Lane& lane) { lane.there = lane.files->next(lane.header); }
 
-  // Files by their first frames; those that begin at the same time are pieces of one dump.
+  // Groups the files by their first frames; files that begin at the same time are pieces of one dump.
   template <typename Reader>
   static std::vector<std::vector<std::string>> pieces_of(const std::vector<std::string>& files) {
     std::vector<std::pair<decltype(Header().order()), std::string>> by_order;
@@ -132,7 +132,7 @@ class MatchedFrames {
   Matching matching_;
   std::vector<Lane> lanes_;
   std::int64_t matched_ = 0;
-  std::string first_alone_;  ///< the error if nothing matches
+  std::string first_alone_;  ///< the error if no frame matches
 };
 
 }  // namespace mikromakro

@@ -10,7 +10,7 @@ namespace mikromakro {
 namespace {
 
 constexpr std::string_view axis_names[] = {"x", "y", "z"};
-// Behind the letter of the axis, the better ones first.
+// Suffixes of the axis letter, in order of preference.
 constexpr std::string_view forms[] = {"", "u", "s", "su"};
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
@@ -23,7 +23,7 @@ void rename(std::vector<std::string>& names, std::string_view from, std::string_
 
 }  // namespace
 
-// Renames what counts to the names of ParticleColumn, and the other spellings to '-'.
+// Renames the columns in use to the names of ParticleColumn, and the alternatives to '-'.
 void ParticleColumns::choose(std::vector<std::string>& names) {
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     bool found = false;
@@ -42,7 +42,7 @@ void ParticleColumns::choose(std::vector<std::string>& names) {
   diameter_ = contains(names, "diameter") && !contains(names, "radius");
   as_they_are_ = as_they_are_ && !diameter_;
   rename(names, "diameter", diameter_ ? "radius" : "-");
-  // Image flags say in which copy of the box an unwrapped disc lies.
+  // Image flags: the copy of the box that contains an unwrapped disc.
   for (const std::string_view flag : {"ix", "iy", "iz"}) rename(names, flag, "-");
 }
 
@@ -94,7 +94,7 @@ void ParticleColumns::convert(ParticleSlots& row, const Place& place) {
   radius *= 0.5;
 }
 
-// Scaled places move with the bounds of the box, which have digits of their own.
+// Scaled positions depend on the bounds of the box, which have their own rounding error.
 double ParticleColumns::Axis::error() const {
   if (!scaled) return digits.rounding(largest);
   PrintedDigits bounds;

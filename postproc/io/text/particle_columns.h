@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Particle columns by all the names that dumps give them.
+// Particle columns under all the names used in dumps.
 #pragma once
 
 #include <algorithm>
@@ -15,37 +15,37 @@
 
 namespace mikromakro {
 
-/// Which column fills which slot, and how its numbers become those of ParticleColumn: `xs` is scaled by the
-/// box, `xu` was not brought back into it, `xsu` is both, `diameter` is twice the radius. Where a dump gives
-/// several of them, the first of x, xu, xs, xsu counts, and `radius` before `diameter`.
+/// Which column fills which slot, and how its numbers are converted to those of ParticleColumn: `xs` is
+/// scaled by the box, `xu` is unwrapped, `xsu` is both, `diameter` is twice the radius. If a dump has several
+/// of them, the first of x, xu, xs, xsu is used, and `radius` in preference to `diameter`.
 class ParticleColumns {
  public:
-  /// `list` are the names of --particle-columns (empty: the header's own). Throws what map_header and
-  /// map_option throw, and where coordinates are scaled and there is no box.
+  /// `list`: the names of --particle-columns (empty: the header's own). Throws what map_header and map_option
+  /// throw, and if coordinates are scaled but there is no box.
   ParticleColumns(const DumpHeader& header, const std::vector<std::string>& list, const Place& place);
 
   const ColumnMap& map() const { return map_; }
   bool with_z() const { return with_z_; }
 
-  /// Numbers of a row as they stand there into x, y, z and radius. Throws where an unwrapped coordinate lies
-  /// outside a box that does not say whether it is periodic.
+  /// Converts the numbers of a row to x, y, z and radius. Throws if an unwrapped coordinate lies outside a
+  /// box whose periodicity is not known.
   void settle(ParticleSlots& row, const Place& place) {
     if (!as_they_are_) convert(row, place);
   }
 
-  /// What the digits of the file leave open of the places that were settled, and of radii that were diameters
-  /// (units of the file); nan where all stand as they are: then their own digits say it.
+  /// Rounding error of the converted coordinates, and of radii given as diameters (file units); nan if
+  /// nothing was converted, since the digits of the numbers themselves then show it.
   double place_error() const;
 
  private:
   struct Axis {
     bool scaled = false;
     bool unwrapped = false;
-    bool wraps = false;  ///< the box is periodic here
+    bool wraps = false;  ///< the box is periodic along this axis
     double low = 0;
     double length = 1;
-    PrintedDigits digits = {};  ///< of the numbers as they stand
-    double largest = 0;         ///< of these
+    PrintedDigits digits = {};  ///< of the unconverted numbers
+    double largest = 0;         ///< largest magnitude of these
 
     void sample(double number) {
       digits.add(number);

@@ -15,8 +15,8 @@
 
 namespace mikromakro {
 
-/// Throws where the z of particles (one after the other) is not the same within 1e-6 of a radius: averages
-/// are of the plane, and spheres above each other would count as overlapping discs.
+/// Throws unless the z of all particles (added one by one) are equal within 1e-6 of a radius: averages are
+/// two-dimensional, and spheres above each other would count as overlapping discs.
 class PlaneCheck {
  public:
   void add(double z, double radius, const Place& place);
@@ -28,14 +28,13 @@ class PlaneCheck {
 /// Of one frame, or a piece of it.
 struct ParticleRows {
   std::vector<Particle> particles;
-  ColumnSet given = 0;             ///< the columns that are there
+  ColumnSet given = 0;             ///< the available columns
   double place_error = not_given;  ///< see ParticleColumns
 };
 
-/// Turns the rows of a frame into particles (units as in the file).
-/// `list` are the names of --particle-columns (empty: the header's own); `needed` must be among them.
-/// Without a column of ids they are the numbers of the rows, from 1. Throws: missing columns, and all that
-/// ParticleColumns, particle_of and PlaneCheck throw.
+/// Converts the rows of a frame to particles (units as in the file). `list`: the names of --particle-columns
+/// (empty: the header's own), which must include `needed`. Without an id column, ids are the row numbers from
+/// 1. Throws on missing columns, and on everything that ParticleColumns, particle_of and PlaneCheck throw on.
 ParticleRows read_particles(const RowBlock& block, const std::vector<std::string>& list, ColumnSet needed);
 
 }  // namespace mikromakro

@@ -80,7 +80,7 @@ std::int64_t TextFrames::contact_rows() const {
   return rows;
 }
 
-// Of all frames of a run, where the files tell.
+// Notes if the boundaries change between the frames of a run, as far as the files give them.
 void TextFrames::check_boundaries() {
   const Box& box = frames_.header(0).box;
   if (!box.boundaries_known) return;
@@ -99,7 +99,8 @@ void TextFrames::check_system() {
   last_size_ = {header.box, header.rows};
 }
 
-// LAMMPS names them before the first frame of the first file only, and perhaps in one of the dumps only.
+// LAMMPS names the units only before the first frame of the first file, and possibly in one of the dumps
+// only.
 void TextFrames::find_units() {
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     const DumpHeader& header = frames_.header(i);
@@ -117,7 +118,7 @@ void TextFrames::find_units() {
   }
 }
 
-// The rows of a frame as they lie in the files.
+// The rows of a frame as in the files.
 struct TextFrames::Packed {
   std::shared_ptr<const ColumnWishes> wishes;
   Units units;
@@ -133,7 +134,7 @@ struct TextFrames::Packed {
     frame.particle_file = first.file;
     frame.first_particle_line = first.header.line + 1;
     frame.with_contacts = !contacts.empty() || !walls.empty();
-    // Without ids pieces that are the same file twice would not be seen.
+    // Pieces that are the same file twice can be detected only by ids.
     const bool ids = frame.with_contacts || particles.size() > 1;
     unpack_particles(particles, *wishes,
                      wishes->particles_needed | (ids ? column_set(ParticleColumn::id) : 0), frame);

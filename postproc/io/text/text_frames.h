@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Frames of LAMMPS / LIGGGHTS text dumps, particles and contacts matched by their time step.
+// Frames of LAMMPS / LIGGGHTS text dumps, with particles and contacts matched by time step.
 #pragma once
 
 #include <memory>
@@ -15,22 +15,22 @@
 
 namespace mikromakro {
 
-/// Which columns are asked for, and what the user calls those that the dumps do not name; `notes` takes what
-/// must be told and stops nothing.
+/// Requested columns, and the user's names for columns that the dumps do not name; `notes` receives the
+/// warnings.
 struct ColumnWishes {
   std::vector<std::string> particle_columns;
   std::vector<std::string> contact_columns;
   ColumnSet particles_needed = 0;
   ColumnSet contacts_needed = 0;
   std::shared_ptr<Notes> notes = std::make_shared<Notes>();
-  FrameSelection selection = {};  ///< to say nothing about other steps
-  bool look_through = false;      ///< whether files are looked through for steps that come again
+  FrameSelection selection = {};  ///< other steps cause no notes
+  bool look_through = false;      ///< scan the files first for repeated steps
   std::vector<std::string> wall_columns = {};
 };
 
-/// Frames that only the particles or only the contacts have, and steps of which a piece is missing, are left
-/// out and noted. Numbers are converted to SI where a dump names its units. Throws: no step in both, units
-/// that contradict each other, and all that units_of, read_particles and read_contacts throw.
+/// Frames missing from the particle or contact files, and steps with a missing piece, are left out and noted.
+/// Numbers are converted to SI if a dump names its units. Throws if no step is in both, if units contradict
+/// each other, and on everything that units_of, read_particles and read_contacts throw on.
 class TextFrames : public FrameFormat {
  public:
   /// Neither contact nor wall files: frames without contacts.
@@ -52,7 +52,7 @@ class TextFrames : public FrameFormat {
   MatchedFrames<DumpHeader, RowBlock> frames_;
   std::size_t particle_pieces_ = 0;
   std::size_t contact_pieces_ = 0;
-  std::string units_name_;  ///< empty: no dump has named them so far
+  std::string units_name_;  ///< empty: not named by any dump so far
   Units units_;
   bool some_taken_ = false;
   std::optional<Box> last_box_;
@@ -60,7 +60,7 @@ class TextFrames : public FrameFormat {
     Box box;
     std::int64_t rows;
   };
-  std::optional<Size> last_size_;  ///< of the frame before
+  std::optional<Size> last_size_;  ///< of the previous frame
 };
 
 }  // namespace mikromakro
