@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "arguments.h"
 #include "atom.h"
@@ -161,6 +162,11 @@ void PairDisc::coeff(int narg, char** arg) {
   int i_low = 0, i_high = 0, j_low = 0, j_high = 0;
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, i_low, i_high, error);
   utils::bounds(FLERR, arg[1], 1, atom->ntypes, j_low, j_high, error);
+  // Later versions of LAMMPS exchange two types in descending order by themselves.
+  if (i_low == i_high && j_low == j_high && i_low > j_low) {
+    std::swap(i_low, j_low);
+    std::swap(i_high, j_high);
+  }
   Arguments arguments(*lmp, law_.style() + ": " + types_text(arg[0], arg[1]), narg, arg, 2);
   Coefficients given;
   while (arguments.more()) {
