@@ -40,7 +40,8 @@ class Joiner {
         discs_(discs),
         rules_(rules),
         tolerance_(rows, discs.particles, discs.box, discs.place_error),
-        branch_(rows, discs.box, tolerance_) {
+        branch_(rows, discs.box, tolerance_),
+        images_(discs.box) {
     const ColumnSet given = rows.given_in_all();
     const auto all = [given](ColumnSet columns) { return (columns & ~given) == 0; };
     const auto none = [given](ColumnSet columns) { return (columns & given) == 0; };
@@ -111,7 +112,7 @@ class Joiner {
   }
 
   bool fits(const Contact& contact, const Vector2d& between, double reach, double slack) const {
-    return branch_.images().nearest(between - (reach - contact.overlap) * contact.normal).squaredNorm() <=
+    return images_.nearest(between - (reach - contact.overlap) * contact.normal).squaredNorm() <=
            slack * slack;
   }
 
@@ -119,7 +120,7 @@ class Joiner {
   double join_discs(const RowView& row, Contact& contact) const {
     const Particle& one = disc(contact.index1);
     const Particle& two = disc(contact.index2);
-    if (contact.id1 == contact.id2 && !branch_.images().any())
+    if (contact.id1 == contact.id2 && !images_.any())
       throw bad_input(rows_.place(row.index), "a disc in contact with itself", "two ids",
                       fmt::format("twice {}", contact.id1));
     const bool by_row = row.has(place_columns);
@@ -146,7 +147,7 @@ class Joiner {
     if (!std::isnan(row[x1]) && !std::isnan(row[x2])) {
       check_place(row, x1, y1, one);
       Vector2d branch = row.place(x2, y2) - row.place(x1, y1);
-      if (branch.norm() > one.radius) branch = branch_.images().nearest(branch);
+      if (branch.norm() > one.radius) branch = images_.nearest(branch);
       check_branch(row, branch, one.radius, slack, contact);
       return slack;
     }
@@ -159,7 +160,7 @@ class Joiner {
 
   bool is_at(const ContactRow& row, ContactColumn x, ContactColumn y, const Particle& disc,
              double allowed) const {
-    const Vector2d apart = branch_.images().nearest(Vector2d(row[x], row[y]) - disc.position);
+    const Vector2d apart = images_.nearest(Vector2d(row[x], row[y]) - disc.position);
     return std::abs(apart.x()) <= allowed && std::abs(apart.y()) <= allowed;
   }
 
@@ -279,6 +280,7 @@ class Joiner {
   const ContactRules& rules_;
   ContactTolerance tolerance_;
   RowBranch branch_;
+  BranchImages images_;
   bool plain_ = false;  ///< rows have all columns that join_plain needs, none that it ignores
   bool with_places_ = false, with_components_ = false;
 };
