@@ -299,15 +299,6 @@ TEST(JoinContacts, TheSamePairInBothOrdersIsListedTwice) {
   EXPECT_THROW(join_all(rows, two_discs, box_of_ten(true)), Error);
 }
 
-// Places with few digits, from which normals are derived, differ by more than a thousandth from row to row.
-TEST(JoinContacts, InAWidePeriodicBoxNoPairIsThereTwice) {
-  const std::vector<Particle> discs = {disc(1, 0.001, 5, 0.003), disc(2, 9.9961, 5, 0.003)};
-  ContactRows rows;
-  add_row(rows, {{id1, 1}, {id2, 2}, {x1, 0.001}, {y1, 5}, {x2, 9.9961}, {y2, 5}});
-  add_row(rows, {{id1, 2}, {id2, 1}, {x1, 9.9961}, {y1, 5.00001}, {x2, 0.001}, {y2, 5}});
-  EXPECT_THROW(join_all(rows, discs, box_of_ten(true)), Error);
-}
-
 // The places of a disc that touches its own image do not say on which side; a force along x would have either
 // sign.
 TEST(JoinContacts, PlacesOfOneDiscDoNotSayOnWhichSideItsImageTouches) {
