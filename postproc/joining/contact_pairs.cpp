@@ -37,11 +37,12 @@ Eigen::Vector2d ordered_normal(const Contact& contact) {
 }
 
 // True only if certainly no disc touches itself (possibly through both of its images) and no pair is
-// repeated; one pass over a hash table. A collision among 2^64 hashes is rare, and costs only time.
+// repeated; one pass over a hash table, small enough to stay in the cache. Pairs whose hashes look alike are
+// rare, and cost only time.
 bool all_pairs_differ(const std::vector<Contact>& contacts) {
   const std::size_t places = std::bit_ceil(2 * contacts.size() + 1);
-  constexpr std::uint64_t nobody = 0;
-  std::vector<std::uint64_t> table(places, nobody);
+  constexpr std::uint32_t nobody = 0;
+  std::vector<std::uint32_t> table(places, nobody);
   for (const Contact& contact : contacts) {
     const auto pair = pair_of(contact);
     if (pair.first == pair.second) return false;
@@ -49,11 +50,11 @@ bool all_pairs_differ(const std::vector<Contact>& contacts) {
     std::uint64_t hash =
         (static_cast<std::uint64_t>(pair.first) * odd + static_cast<std::uint64_t>(pair.second)) * odd;
     hash ^= hash >> 32U;
-    if (hash == nobody) return false;
+    const auto mark = static_cast<std::uint32_t>(hash >> 32U) | 1U;
     std::size_t place = hash & (places - 1);
     for (; table[place] != nobody; place = (place + 1) & (places - 1))
-      if (table[place] == hash) return false;
-    table[place] = hash;
+      if (table[place] == mark) return false;
+    table[place] = mark;
   }
   return true;
 }

@@ -299,6 +299,17 @@ TEST(JoinContacts, TheSamePairInBothOrdersIsListedTwice) {
   EXPECT_THROW(join_all(rows, two_discs, box_of_ten(true)), Error);
 }
 
+// Six digits give 9.999 and 10.0024 for two discs of radius 0.003 across a boundary, but 0.002449 and -0.001
+// in the opposite order: normals that differ by 0.007 are still those of one contact.
+TEST(JoinContacts, PlacesOfFewDigitsDoNotMakeTwoContactsOfOnePair) {
+  const std::vector<Particle> discs = {disc(1, 9.999, 3.5, 0.003), disc(2, 0.002449, 3.5035, 0.003)};
+  ContactRows rows;
+  add_row(rows, {{id1, 1}, {id2, 2}, {x1, 9.999}, {y1, 3.5}, {x2, 10.0024}, {y2, 3.5035}});
+  EXPECT_EQ(join_all(rows, discs, box_of_ten(true)).size(), 1U);
+  add_row(rows, {{id1, 2}, {id2, 1}, {x1, 0.002449}, {y1, 3.5035}, {x2, -0.001}, {y2, 3.5}});
+  EXPECT_THROW(join_all(rows, discs, box_of_ten(true)), Error);
+}
+
 // The places of a disc that touches its own image do not say on which side; a force along x would have either
 // sign.
 TEST(JoinContacts, PlacesOfOneDiscDoNotSayOnWhichSideItsImageTouches) {
