@@ -21,6 +21,8 @@ def entries(text):
     """Of a help text: (title of the section, [(what stands left, its description)])."""
     sections = []
     for line in text.split("\n"):
+        line = re.sub(r"^ {3,10}(?=--)|^ {2}(?=-\w,)", "  ", line)  # CLI11 >= 2.5 sets long names in a column of their own
+        line = re.sub(r"^(  -\w,) +(?=--)", r"\1", line)
         if re.match(r"^\S.*:$", line):
             sections.append((line[:-1], []))
         elif sections and (match := re.match(r"^  (\S.*?)(?:  +(\S.*))?$", line)) and not line.startswith("   "):
@@ -31,7 +33,7 @@ def entries(text):
 
 
 def man_page(name, version, summary, text):
-    usage = re.search(r"^Usage: (.*)$", text, re.MULTILINE)
+    usage = re.search(r"^(?:Usage: )?(\S+(?: \w+)? \[OPTIONS\].*)$", text, re.MULTILINE)
     lines = [f'.TH "{name.upper()}" 1 "" "{version}" "User commands"', ".SH NAME", f"{escaped(name)} \\- {escaped(summary)}"]
     if usage:
         lines += [".SH SYNOPSIS", escaped(usage[1])]
@@ -66,7 +68,7 @@ def main():
     name = os.path.basename(program)
     version = subprocess.run([program, "--version"], check=True, capture_output=True, text=True).stdout.strip()
     whole = help_of(program)
-    verbs = dict(option for title, options in entries(whole) if title == "Subcommands" for option in options)
+    verbs = dict(option for title, options in entries(whole) if title.lower() == "subcommands" for option in options)
     for part in ("man", "completions"):
         os.makedirs(os.path.join(folder, part), exist_ok=True)
     pages = {name: man_page(name, version, whole.split("\n")[0].rstrip("."), whole)}

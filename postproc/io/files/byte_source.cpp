@@ -58,8 +58,10 @@ class GzipSource : public ByteSource {
     const int got = gzread(stream_.get(), room.data(), static_cast<unsigned>(room.size()));
     int code = Z_OK;
     const char* reason = gzerror(stream_.get(), &code);
-    cut_ = got >= 0 && code == Z_BUF_ERROR;
-    if (cut_) return static_cast<std::size_t>(got);
+    // zlib >= 1.3.2 reports the cut once, before it hands out the last bytes.
+    const bool cut_now = got >= 0 && code == Z_BUF_ERROR;
+    cut_ = cut_ || cut_now;
+    if (cut_now) return static_cast<std::size_t>(got);
     if (got < 0 || (code != Z_OK && code != Z_STREAM_END)) {
       throw bad_input(place, "cannot read on", "plain text or a complete gzip file",
                       code == Z_ERRNO ? std::strerror(errno) : reason);

@@ -44,6 +44,13 @@ Hdf5Id newer_layout() {
   return access;
 }
 
+// H5Fclose of a file whose data cannot be written aborts in an HDF5 with assertions (2.2 of Debian): it stays
+// open then.
+int close_written(std::int64_t id) {
+  const int flushed = H5Fflush(id, H5F_SCOPE_GLOBAL);
+  return flushed < 0 ? flushed : H5Fclose(id);
+}
+
 // Also opens files that a killed process has left marked as open, or with a recorded length shorter than what
 // it wrote: the repair of `h5clear --status --increment=0`. Opens in single-writer mode from the start, so
 // that a kill during the repair is harmless too.
@@ -51,7 +58,7 @@ Hdf5Id open_after_kill(const std::string& file, const Hdf5Id& access) {
   const hbool_t yes = 1;
   H5Pset(access.get(), "clear_status_flags", &yes);
   H5Pset(access.get(), "skip_eof_check", &yes);
-  Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access.get()), H5Fclose);
+  Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access.get()), close_written);
   if (id.get() >= 0 && H5Fincrement_filesize(id.get(), 0) < 0) cannot_write(file);
   return id;
 }
@@ -137,7 +144,7 @@ Hdf5File Hdf5File::create(const std::string& file, bool paged) {
   silence();
   const Hdf5Id list = without_times(H5P_FILE_CREATE);
   if (paged) H5Pset_file_space_strategy(list.get(), H5F_FSPACE_STRATEGY_PAGE, false, 1);
-  Hdf5Id id(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, list.get(), newer_layout().get()), H5Fclose);
+  Hdf5Id id(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, list.get(), newer_layout().get()), close_written);
   if (id.get() < 0) cannot_write(file);
   return {std::move(id), file};
 }
@@ -160,7 +167,7 @@ Hdf5File Hdf5File::open_to_append(const std::string& file, bool mend) {
   const Hdf5Id access = newer_layout();
   // A reader, such as a notebook with the file open, must not block the writer.
   H5Pset_file_locking(access.get(), 0, 1);
-  Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access.get()), H5Fclose);
+  Hdf5Id id(H5Fopen(file.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access.get()), close_written);
   if (id.get() < 0 && mend) id = open_after_kill(file, access);
   if (id.get() < 0) cannot_write(file);
   return {std::move(id), file};
