@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "engine_access.h"
+#include "engine/engine_access.h"
 
 #include <mpi.h>
 

@@ -7,19 +7,19 @@
 #include <cmath>
 #include <utility>
 
-#include "arguments.h"
 #include "atom.h"
 #include "comm.h"
-#include "engine_access.h"
+#include "engine/arguments.h"
+#include "engine/engine_access.h"
+#include "engine/first_rank.h"
 #include "error.h"
-#include "first_rank.h"
 #include "fix_disc_history.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
 #include "neigh_request.h"
 #include "neighbor.h"
-#include "physics/contact_energy.h"
+#include "physics/contact/contact_energy.h"
 #include "update.h"
 #include "utils.h"
 

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "disc_law.h"
+#include "law/disc_law.h"
 #include "pair.h"
 
 namespace mikromakro::styles {

@@ -3,7 +3,7 @@
 // other styles.
 #include <type_traits>
 
-#include "engine_access.h"
+#include "engine/engine_access.h"
 #include "error.h"
 #include "fix_disc_history.h"
 #include "force.h"
@@ -11,7 +11,7 @@
 #include "lammpsplugin.h"
 #include "mikromakro_version.h"
 #include "pair_disc.h"
-#include "registration.h"
+#include "program/registration.h"
 #include "version.h"
 
 namespace mikromakro::styles {

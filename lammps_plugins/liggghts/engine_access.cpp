@@ -2,7 +2,7 @@
 // LIGGGHTS 3.8 has no plugin command, and its style tables are private or protected. Naming a private member
 // in an explicit template instantiation is allowed by the standard ([temp.spec]), so no header needs to be
 // changed.
-#include "engine_access.h"
+#include "engine/engine_access.h"
 
 #include <algorithm>
 #include <csignal>

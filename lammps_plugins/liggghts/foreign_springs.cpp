@@ -2,8 +2,8 @@
 // For a restart file of a run under another law, whose springs are not ours.
 #include <cstring>
 
-#include "arguments.h"
-#include "first_rank.h"
+#include "engine/arguments.h"
+#include "engine/first_rank.h"
 #include "modify.h"
 #include "pair_gran_disc.h"
 

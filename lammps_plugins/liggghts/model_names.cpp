@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "arguments.h"
 #include "contact_models.h"
+#include "engine/arguments.h"
 #include "force.h"
 #include "granular_pair_style.h"
 #include "granular_wall.h"

@@ -3,10 +3,10 @@
 
 #include <cstring>
 
-#include "arguments.h"
 #include "atom.h"
 #include "compute_pair_gran_local.h"
-#include "engine_lists.h"
+#include "engine/arguments.h"
+#include "engine/engine_lists.h"
 #include "fix.h"
 #include "force.h"
 #include "modify.h"

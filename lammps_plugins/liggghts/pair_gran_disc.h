@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "disc_law.h"
 #include "granular_pair_style.h"
+#include "law/disc_law.h"
 
 namespace mikromakro::styles {
 

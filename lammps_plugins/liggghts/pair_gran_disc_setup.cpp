@@ -3,10 +3,10 @@
 #include <string>
 #include <utility>
 
-#include "arguments.h"
 #include "atom.h"
 #include "contact_models.h"
-#include "engine_access.h"
+#include "engine/arguments.h"
+#include "engine/engine_access.h"
 #include "fix_property_global.h"
 #include "force.h"
 #include "model_names.h"

@@ -7,8 +7,8 @@
 #include "app/commands.h"
 #include "io/tables/json_object.h"
 #include "model/error.h"
-#include "physics/contact_duration.h"
-#include "physics/impact.h"
+#include "physics/contact/contact_duration.h"
+#include "physics/impact/impact.h"
 
 namespace mikromakro {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <string>
 
-#include "physics/contact_duration.h"
-#include "physics/impact.h"
+#include "physics/contact/contact_duration.h"
+#include "physics/impact/impact.h"
 
 namespace {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "disc_scene.h"
-#include "physics/contact_batch.h"
-#include "physics/near_pairs.h"
-#include "physics/ring_motion.h"
+#include "physics/contact/contact_batch.h"
+#include "physics/contact/near_pairs.h"
+#include "physics/motion/ring_motion.h"
 
 namespace mikromakro::bench {
 

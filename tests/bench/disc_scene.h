@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine.h"
-#include "physics/contact_law.h"
+#include "physics/contact/contact_law.h"
 
 namespace mikromakro::bench {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "disc_law.h"
-#include "engine_access.h"
+#include "engine/engine_access.h"
+#include "law/disc_law.h"
 #include "loop_by_hand.h"
 #include "scene_script.h"
 #include "timer.h"

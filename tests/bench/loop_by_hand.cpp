@@ -7,15 +7,15 @@
 
 #include "atom.h"
 #include "contact_models.h"
+#include "engine/processor_clones.h"
 #include "fix_property_global.h"
 #include "granular_pair_style.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair_gran.h"
-#include "physics/disc_rows.h"
+#include "physics/rows/disc_rows.h"
 #include "pointers.h"
-#include "processor_clones.h"
 #include "update.h"
 
 namespace mikromakro::bench {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <algorithm>
 
 #include <chrono>
 #include <csignal>
@@ -81,11 +82,14 @@ class EndedRun : public SnapshotOfARun {
 
 class Killed : public EndedRun {
  protected:
-  // Ranks are the children of mpirun.
+  // Ranks are the children of mpirun, of any of its threads.
   static std::vector<pid_t> children_of(pid_t parent) {
-    std::ifstream list(fmt::format("/proc/{0}/task/{0}/children", parent));
     std::vector<pid_t> children;
-    for (pid_t child = 0; list >> child;) children.push_back(child);
+    for (const auto& thread : std::filesystem::directory_iterator(fmt::format("/proc/{}/task", parent))) {
+      std::ifstream list(thread.path() / "children");
+      for (pid_t child = 0; list >> child;) children.push_back(child);
+    }
+    std::sort(children.begin(), children.end());  // in the order of the ranks
     return children;
   }
 

@@ -15,7 +15,7 @@
 #include "fix.h"
 #include "input.h"
 #include "modify.h"
-#include "registration.h"
+#include "program/registration.h"
 
 namespace mikromakro::test {
 

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "disc_law.h"
 #include "engine.h"
-#include "engine_access.h"
-#include "physics/contact_duration.h"
+#include "engine/engine_access.h"
+#include "law/disc_law.h"
+#include "physics/contact/contact_duration.h"
 
 namespace mikromakro::test {
 namespace {

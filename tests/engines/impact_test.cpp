@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// An oblique impact inside the engine is the one of physics/impact.h, step by step: what is measured there
-// holds here.
+// An oblique impact inside the engine is the one of physics/impact/impact.h, step by step: what is measured
+// there holds here.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "engine.h"
-#include "physics/contact_duration.h"
-#include "physics/impact.h"
+#include "physics/contact/contact_duration.h"
+#include "physics/impact/impact.h"
 
 namespace mikromakro::test {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "engine_lines.h"
 #include "mikromakro_version.h"
-#include "physics/contact_duration.h"
+#include "physics/contact/contact_duration.h"
 
 namespace mikromakro::test {
 namespace {

@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "engine.h"
-#include "physics/contact_duration.h"
+#include "physics/contact/contact_duration.h"
 
 namespace mikromakro::test {
 namespace {

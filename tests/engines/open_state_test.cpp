@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "disc_law.h"
 #include "engine.h"
-#include "engine_access.h"
+#include "engine/engine_access.h"
 #include "fix.h"
+#include "law/disc_law.h"
 #include "neighbor.h"
 
 namespace mikromakro::test {

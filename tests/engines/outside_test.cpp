@@ -7,9 +7,9 @@
 #include <cmath>
 #include <string>
 
-#include "disc_law.h"
 #include "engine.h"
-#include "engine_access.h"
+#include "engine/engine_access.h"
+#include "law/disc_law.h"
 
 namespace mikromakro::test {
 namespace {

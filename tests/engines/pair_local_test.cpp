@@ -10,7 +10,7 @@
 
 #include "compute.h"
 #include "engine.h"
-#include "engine_access.h"
+#include "engine/engine_access.h"
 #include "modify.h"
 #include "packing.h"
 #include "pair_gran_disc.h"

@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
-#include "disc_law.h"
 #include "engine.h"
-#include "engine_access.h"
+#include "engine/engine_access.h"
+#include "law/disc_law.h"
 
 namespace mikromakro::test {
 namespace {

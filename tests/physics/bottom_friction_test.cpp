@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "physics/bottom_friction.h"
+#include "physics/walls/bottom_friction.h"
 
 #include <gtest/gtest.h>
 

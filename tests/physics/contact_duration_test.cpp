@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Duration and restitution of a contact (Latzel2001 2.2): t_c = pi / sqrt(k_n/m12 - (gamma_n/2 m12)^2),
 // e_n = exp(-gamma_n t_c / 2 m12).
-#include "physics/contact_duration.h"
+#include "physics/contact/contact_duration.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "physics/contact_energy.h"
+#include "physics/contact/contact_energy.h"
 
 #include <gtest/gtest.h>
 

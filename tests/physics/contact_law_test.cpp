@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The contact law of docs/conventions.md (Latzel2001 2.2) as a pure function. Numbers are chosen so that
 // every product is exact or off by one rounding.
-#include "physics/contact_law.h"
-#include "physics/spring_step.h"
+#include "physics/contact/contact_law.h"
+#include "physics/contact/spring_step.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "physics/contact_duration.h"
-#include "physics/contact_energy.h"
-#include "physics/impact.h"
+#include "physics/contact/contact_duration.h"
+#include "physics/contact/contact_energy.h"
+#include "physics/impact/impact.h"
 
 namespace mikromakro::physics {
 namespace {

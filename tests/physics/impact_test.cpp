@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Impacts of two discs without an engine: the order of the error of a time step, for each scheme. The pair is
 // the small discs of the paper's cell; closed forms are those of contact_duration.h.
-#include "physics/impact.h"
+#include "physics/impact/impact.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "physics/contact_duration.h"
+#include "physics/contact/contact_duration.h"
 
 namespace mikromakro::physics {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "physics/inverse_root.h"
+#include "physics/math/inverse_root.h"
 
 #include <gtest/gtest.h>
 

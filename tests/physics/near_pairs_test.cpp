@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "physics/near_pairs.h"
+#include "physics/contact/near_pairs.h"
 
 #include <gtest/gtest.h>
 

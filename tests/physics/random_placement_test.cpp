@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "physics/random_placement.h"
+#include "physics/placement/random_placement.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "physics/ring_load.h"
+#include "physics/walls/ring_load.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "physics/ring_motion.h"
+#include "physics/motion/ring_motion.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "physics/step_clock.h"
+#include "physics/motion/step_clock.h"
 
 namespace mikromakro::physics {
 namespace {

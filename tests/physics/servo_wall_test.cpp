@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "physics/servo_wall.h"
+#include "physics/motion/servo_wall.h"
 
 #include <gtest/gtest.h>
 

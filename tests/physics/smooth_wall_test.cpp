@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "physics/smooth_wall.h"
+#include "physics/walls/smooth_wall.h"
 
 #include <gtest/gtest.h>
 

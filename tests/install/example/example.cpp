@@ -5,7 +5,7 @@
 
 #include "io/frames/frame_stream.h"
 #include "model/error.h"
-#include "physics/contact_duration.h"
+#include "physics/contact/contact_duration.h"
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "json_number.h"
-#include "physics/contact_duration.h"
-#include "physics/impact.h"
+#include "physics/contact/contact_duration.h"
+#include "physics/impact/impact.h"
 #include "run_program.h"
 
 namespace mikromakro {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The contacts of a step as rows, from the pair style and from all fixes with walls. Used by compute
+// contact/disc, snapshots and in-situ averages.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/styles_never_throw.h"
+#include "lmptype.h"
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+class Compute;
+}
+
+namespace mikromakro::styles {
+
+/// id1 id2 x1 y1 x2 y2 nx ny overlap fx fy fn ft xi vn vt: signs as in physics/contact/contact_law.h, the
+/// force acts on 1, x2 y2 is the periodic image in contact (for a wall, whose id is <= 0: the contact point);
+/// SI units.
+inline constexpr int contact_columns = 16;
+using ContactRow = std::array<double, contact_columns>;
+
+/// A wall at the last force evaluation: id in contact rows, atom type that supplies the material constants,
+/// and curvature (1/m): 1/R for a circle, negative if the discs are inside, 0 for a flat wall.
+struct WallKind {
+  int id, type;
+  double curvature;
+};
+
+/// A fix with walls in contact with discs.
+class WallContactSource {
+ public:
+  virtual ~WallContactSource() noexcept(styles_never_throw) = default;
+  /// Appends a row for each wall contact of an owned disc of the group, as applied in this step. Returns
+  /// false if the step was not recorded.
+  virtual bool append_wall_contacts(int group_bit, std::vector<ContactRow>& rows) const = 0;
+  virtual std::vector<WallKind> wall_kinds() const = 0;
+};
+
+/// A fix that reads contacts in steps of its own, which are not in the engine's output schedule.
+class ContactObserver {
+ public:
+  virtual ~ContactObserver() noexcept(styles_never_throw) = default;
+  virtual bool wants_contacts_at(LAMMPS_NS::bigint step) const = 0;
+};
+
+/// The steps in which contacts are recorded: the set-up; the last step; steps scheduled for thermo, dumps or
+/// restarts if a compute contact/disc exists; steps for which another fix has requested one (e.g. fix
+/// ave/time through a compute reduce); and steps requested by an observer.
+class ContactSchedule {
+ public:
+  /// Call at the start of a run, when all fixes and computes are defined.
+  void look_up(LAMMPS_NS::LAMMPS& engine);
+  bool due(const LAMMPS_NS::Update& update, const LAMMPS_NS::Output& output) const;
+
+ private:
+  std::vector<LAMMPS_NS::Compute*> computes_;
+  std::vector<const ContactObserver*> observers_;
+};
+
+/// Appends the contacts of this step between discs of the group, then those of these discs with walls; each
+/// contact on one rank only. Forces are those applied; the geometry is current, because a box change at the
+/// end of a step moves the discs. Collective. Returns false if the step was not recorded or there is no disc
+/// law.
+bool append_contact_rows(LAMMPS_NS::LAMMPS& engine, int group_bit, std::vector<ContactRow>& rows);
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "law/time_step_check.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "atom.h"
+#include "engine/engine_lists.h"
+#include "engine/first_rank.h"
+#include "error.h"
+#include "fix.h"
+#include "law/contact_rows.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "physics/contact/contact_duration.h"
+#include "update.h"
+
+namespace mikromakro::styles {
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+std::string shortest(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+/// Group bits of the fixes that integrate the equations of motion; all other atoms, such as wall discs, have
+/// prescribed motion and count as infinitely heavy in a contact.
+int integrated_groups(const Modify& modify) {
+  int bits = 0;
+  for (const Fix* fix : fixes(modify))
+    if (std::strncmp(fix->style, "nve", 3) == 0) bits |= fix->groupbit;
+  return bits;
+}
+
+/// Per type, over all ranks: mass of the lightest freely moving disc, radius of the largest other disc (0 if
+/// none), largest speed.
+struct TypesAtHand {
+  std::vector<double> mass, radius;  // infinite mass: no freely moving disc
+  std::vector<double> carried_radius, speed;
+};
+
+void largest_of_all_ranks(std::vector<double>& values, MPI_Comm world) {
+  MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX, world);
+}
+
+/// Smooth walls have prescribed motion too. They enter as a disc more than a hundred times larger than the
+/// others, whose exact radius does not affect time scales.
+void carry_walls(const Modify& modify, std::vector<double>& carried_radius) {
+  constexpr double large = 1e3;  // m
+  for (const Fix* fix : fixes(modify)) {
+    const auto* walls = dynamic_cast<const WallContactSource*>(fix);
+    if (!walls) continue;
+    for (const WallKind& wall : walls->wall_kinds()) carried_radius[wall.type - 1] = large;
+  }
+}
+
+TypesAtHand types_at_hand(const Atom& atom, const Modify& modify, MPI_Comm world) {
+  const int integrated = integrated_groups(modify);
+  const std::vector<double> none(atom.ntypes, 0.0);
+  TypesAtHand types{std::vector<double>(atom.ntypes, infinite), none, none, none};
+  for (int i = 0; i < atom.nlocal; ++i) {
+    const int t = atom.type[i] - 1;
+    types.speed[t] = std::max(types.speed[t], std::hypot(atom.v[i][0], atom.v[i][1]));
+    if (atom.mask[i] & integrated) {
+      types.mass[t] = std::min(types.mass[t], atom.rmass[i]);
+    } else {
+      types.carried_radius[t] = std::max(types.carried_radius[t], atom.radius[i]);
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, types.mass.data(), atom.ntypes, MPI_DOUBLE, MPI_MIN, world);
+  for (int i = 0; i < atom.nlocal; ++i) {
+    const int t = atom.type[i] - 1;
+    if (atom.rmass[i] == types.mass[t]) types.radius[t] = std::max(types.radius[t], atom.radius[i]);
+  }
+  carry_walls(modify, types.carried_radius);
+  for (auto* values : {&types.radius, &types.carried_radius, &types.speed})
+    largest_of_all_ranks(*values, world);
+  return types;
+}
+
+/// Largest overlap of each pair of types over all ranks [m], 0 if none touch.
+std::vector<double> largest_overlaps(const Atom& atom, const NeighList& list, MPI_Comm world) {
+  const std::size_t types = atom.ntypes;
+  std::vector<double> largest(types * types, 0.0);
+  for (int ii = 0; ii < list.inum; ++ii) {
+    const int i = list.ilist[ii];
+    for (int jj = 0; jj < list.numneigh[i]; ++jj) {
+      const int j = list.firstneigh[i][jj] & NEIGHMASK;
+      const double distance = std::hypot(atom.x[j][0] - atom.x[i][0], atom.x[j][1] - atom.x[i][1]);
+      const double overlap = atom.radius[i] + atom.radius[j] - distance;
+      const std::size_t a = atom.type[i] - 1, b = atom.type[j] - 1;
+      for (auto* value : {&largest[a * types + b], &largest[b * types + a]})
+        *value = std::max(*value, overlap);
+    }
+  }
+  largest_of_all_ranks(largest, world);
+  return largest;
+}
+
+/// Conditions of a collision between two types.
+struct Meeting {
+  double m12, reduced_radius, velocity, overlap;
+};
+
+double duration(const physics::ContactParameters& p, const physics::Effects& effects, const Meeting& m) {
+  if (effects.normal == physics::Normal::linear)
+    return physics::contact_duration(p.normal_stiffness, p.normal_damping, m.m12);
+  const double k_h = physics::hertz_stiffness(p.normal_stiffness, m.reduced_radius);
+  const double k_t = effects.spring() ? p.tangential_stiffness : 0.0;
+  const double stiffest = std::max(physics::hertz_tangent_stiffness(k_h, m.overlap), k_t);
+  const double oscillation = stiffest > 0 ? physics::contact_duration(stiffest, 0, m.m12) : infinite;
+  return std::min(physics::hertz_contact_duration(k_h, m.m12, m.velocity), oscillation);
+}
+
+/// Shortest contact duration over all pairs of types that can collide [s]; infinite if nothing moves.
+double shortest_contact(const TypesAtHand& at_hand, const std::vector<double>& overlaps,
+                        const TimeScales& law) {
+  const std::size_t types = at_hand.mass.size();
+  double shortest = infinite;
+  for (std::size_t i = 0; i < types; ++i) {
+    const double m_i = at_hand.mass[i], a_i = at_hand.radius[i];
+    if (!std::isfinite(m_i)) continue;
+    for (std::size_t j = 0; j < types; ++j) {
+      const auto& p = law.parameters[i * types + j];
+      const double m_j = at_hand.mass[j], overlap = overlaps[i * types + j];
+      const double velocity = std::max(law.impact_velocity, at_hand.speed[i] + at_hand.speed[j]);
+      const auto meet = [&](double m12, double a_j) {
+        const Meeting meeting{m12, physics::reduced_radius(a_i, a_j), velocity, overlap};
+        shortest = std::min(shortest, duration(p, law.effects, meeting));
+      };
+      if (std::isfinite(m_j)) meet(physics::reduced_mass(m_i, m_j), at_hand.radius[j]);
+      if (at_hand.carried_radius[j] > 0) meet(m_i, at_hand.carried_radius[j]);
+    }
+  }
+  return shortest;
+}
+
+bool any_moves(const TypesAtHand& types) {
+  return std::any_of(types.mass.begin(), types.mass.end(), [](double m) { return std::isfinite(m); });
+}
+
+}  // namespace
+
+void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& style, const TimeScales& law) {
+  const Atom& atom = *engine.atom;
+  const auto at_hand = types_at_hand(atom, *engine.modify, engine.world);
+  const bool hertz = law.effects.normal == physics::Normal::hertz;
+  const std::vector<double> untouched(law.parameters.size(), 0.0);
+  const double t_c =
+      shortest_contact(at_hand, hertz ? largest_overlaps(atom, list, engine.world) : untouched, law);
+  if (!std::isfinite(t_c)) {
+    if (hertz && any_moves(at_hand)) {
+      warn(engine, style +
+                       ": nothing moves or touches yet, so that the duration of contacts is not known and "
+                       "the time step not checked; expected 'impact_velocity V' with the pair style");
+    }
+    return;
+  }
+  const double dt = engine.update->dt;
+  const std::string step = ": time step " + shortest(dt) + " s is above ";
+  const std::string contact = "of the shortest contact (t_c = " + shortest(t_c) + " s)";
+  const std::string better = "'timestep " + shortest(t_c / physics::steps_per_contact) + "'";
+  if (dt > t_c / physics::least_steps_per_contact) {
+    engine.error->all(FLERR, (style + step + "a quarter " + contact +
+                              ", the integration would be unstable; expected " + better + " (t_c/50) or less")
+                                 .c_str());
+  }
+  if (dt > t_c / physics::steps_per_contact * (1 + 1e-9))
+    warn(engine, style + step + "t_c/50 " + contact + "; " + better + " would do");
+  constexpr double many_steps = 5000;
+  if (dt < t_c / many_steps)
+    warn(engine, style + ": time step " + shortest(dt) + " s is below t_c/5000 " + contact +
+                     " (was 'timestep' forgotten?); " + better + " would do");
+}
+
+}  // namespace mikromakro::styles

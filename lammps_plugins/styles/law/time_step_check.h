@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Compares the time step with the shortest contact duration of the present discs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "physics/contact/contact_law.h"
+
+namespace LAMMPS_NS {
+class LAMMPS;
+class NeighList;
+}  // namespace LAMMPS_NS
+
+namespace mikromakro::styles {
+
+/// The parameters of the contact law that set time scales.
+struct TimeScales {
+  physics::Effects effects;
+  const std::vector<physics::ContactParameters>& parameters;  // of types i, j at (i - 1) * types + j - 1
+  double impact_velocity;  // fastest expected impact, for Hertz's law [m/s]; 0: unknown
+};
+
+/// Stops the run on all ranks, with one line, if the time step exceeds a quarter of the shortest contact
+/// duration; warns above a fiftieth. Linear law: t_c of the lightest discs of each pair of types. Hertz: the
+/// shorter of two times: t_c at the impact velocity, or at the sum of the largest present speeds of both
+/// types if that is larger; and pi / sqrt(k/m12) with the tangent stiffness k at the largest present overlap,
+/// or k_t for a law with a spring. `style`: prefix of messages. Collective; call when the neighbour list is
+/// built.
+void check_time_step(LAMMPS_NS::LAMMPS& engine, const LAMMPS_NS::NeighList& list, const std::string& style,
+                     const TimeScales& law);
+
+}  // namespace mikromakro::styles

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix biaxial/2d: changes of the wall control, checks, and restart.
+#include <mpi.h>
+
+#include <cstring>
+
+#include "atom.h"
+#include "comm.h"
+#include "engine/engine_access.h"
+#include "engine/first_rank.h"
+#include "error.h"
+#include "law/disc_law.h"
+#include "physics/contact/contact_duration.h"
+#include "placement/disc_insertion.h"
+#include "update.h"
+#include "walls/biaxial/fix_biaxial_2d.h"
+
+namespace mikromakro::styles {
+
+using Kind = WallControl::Kind;
+
+namespace {
+
+// Restart data in addition to the springs: walls, references and clock.
+template <class Wall>
+struct SavedState {
+  std::array<Wall, 4> box;
+  std::array<double, 2> reference_lengths;
+  double elapsed;
+  double step_of_clock;
+  double dt;
+  double step_of_file;
+};
+
+}  // namespace
+
+void FixBiaxial2d::begin(int side, const WallControl& control) {
+  Wall& wall = box_[side];
+  wall.control = control;
+  wall.start = wall.motion.position;
+  wall.start_time = clock_.time_at(update->ntimestep);
+  wall.motion.acceleration = 0.0;
+  wall.goes_on = false;
+  if (control.kind != Kind::stress) wall.motion.velocity = control.kind == Kind::rate ? control.target : 0.0;
+  wall.contact_velocity = wall.motion.velocity;
+}
+
+void FixBiaxial2d::reset_references() {
+  reference_lengths_ = {length(0), length(1)};
+  for (Wall& wall : box_) wall.work = 0.0;
+}
+
+int FixBiaxial2d::modify_param(int narg, char** arg) {
+  Arguments arguments(*lmp, std::string("fix_modify ") + style, narg, arg);
+  const BiaxialChange change = parse_biaxial_change(arguments);
+  notice_new_count();
+  follow_time_step(update->ntimestep);
+  for (int side = 0; side < 4; ++side) {
+    if (change.controls[side]) begin(side, *change.controls[side]);
+  }
+  if (change.reset) reset_references();
+  return narg;
+}
+
+// All ranks know all walls and reach the same result.
+void FixBiaxial2d::check_rectangle() const {
+  for (int axis = 0; axis < 2; ++axis) {
+    if (length(axis) > 0) continue;
+    stop(*lmp, style,
+         "expected the " + biaxial_sides[2 * axis + 1] + " wall beyond the " + biaxial_sides[2 * axis] +
+             " wall, got them at " + text_of(box_[2 * axis + 1].motion.position) + " and " +
+             text_of(box_[2 * axis].motion.position));
+  }
+  check_inside_box(
+      *lmp, style, "the walls",
+      {box_[0].motion.position, box_[1].motion.position, box_[2].motion.position, box_[3].motion.position});
+}
+
+std::array<double, 4> FixBiaxial2d::stiffness_of_contacts() const {
+  const DiscLaw& law = *active_disc_law(*lmp);
+  const bool hertz = law.effects().normal == physics::Normal::hertz;
+  const auto walls = smooth_walls();
+  const auto kinds = walls_.kinds();
+  std::array<double, 4> sums{};
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const auto disc = walls_.disc(i);
+    for (int side = 0; side < 4; ++side) {
+      const double overlap = disc.radius - physics::nearest_point(walls[side], disc.position).distance;
+      if (overlap <= 0) continue;
+      const double k_n = law.parameters(atom->type[i], kinds[side].type).normal_stiffness;
+      sums[side] +=
+          hertz ? physics::hertz_tangent_stiffness(physics::hertz_stiffness(k_n, atom->radius[i]), overlap)
+                : k_n;
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), 4, MPI_DOUBLE, MPI_SUM, world);
+  return sums;
+}
+
+void FixBiaxial2d::check_time_step() const {
+  const auto stiffness = stiffness_of_contacts();
+  for (int side = 0; side < 4; ++side) {
+    const WallControl& control = box_[side].control;
+    if (control.kind != Kind::stress || stiffness[side] == 0) continue;
+    const double half_period = physics::servo_half_period(control.mass, stiffness[side]);
+    const double steps = half_period / update->dt;
+    const std::string what = biaxial_sides[side] + ": half a period of the wall on its contacts (" +
+                             text_of(half_period) + " s) has " + text_of(steps) +
+                             " time steps; expected 50 or more, with a larger mass or a shorter step";
+    if (steps < physics::least_steps_per_contact) stop(*lmp, style, what);
+    if (steps < physics::steps_per_contact && comm->me == 0)
+      error->warning(FLERR, (style + (": " + what)).c_str());
+  }
+}
+
+// The command `timestep` does not notify fixes.
+void FixBiaxial2d::follow_time_step(LAMMPS_NS::bigint step) {
+  if (update->dt != clock_.dt()) clock_.change_step_length(step, update->dt);
+}
+
+void FixBiaxial2d::reset_dt() {
+  follow_time_step(update->ntimestep);
+}
+
+void FixBiaxial2d::count_steps_anew(LAMMPS_NS::bigint shift) {
+  clock_.shift_steps(shift);
+}
+
+void FixBiaxial2d::write_restart(FILE* fp) {
+  if (comm->me != 0) return;
+  const SavedState<Wall> state{box_,
+                               reference_lengths_,
+                               clock_.elapsed(),
+                               static_cast<double>(clock_.step()),
+                               clock_.dt(),
+                               static_cast<double>(update->ntimestep)};
+  const int size = sizeof state;
+  std::fwrite(&size, sizeof size, 1, fp);
+  std::fwrite(&state, sizeof state, 1, fp);
+}
+
+void FixBiaxial2d::restart(char* buf) {
+  SavedState<Wall> state;
+  std::memcpy(&state, buf, sizeof state);
+  clock_ = physics::StepClock(state.elapsed, static_cast<LAMMPS_NS::bigint>(state.step_of_clock), state.dt);
+  // Steps may have been renumbered since read_restart.
+  clock_.shift_steps(update->ntimestep - static_cast<LAMMPS_NS::bigint>(state.step_of_file));
+  reference_lengths_ = state.reference_lengths;
+  for (int side = 0; side < 4; ++side) {
+    const WallControl wanted = box_[side].control;
+    box_[side] = state.box[side];
+    if (wanted == box_[side].control) continue;
+    tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + biaxial_sides[side] +
+                   ": not the control of the restart file: it begins anew where the wall stands (after "
+                   "fix_modify, give the fix the last controls)");
+    begin(side, wanted);
+  }
+}
+
+}  // namespace mikromakro::styles
