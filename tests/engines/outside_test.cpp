@@ -149,7 +149,7 @@ TEST(BetweenRuns, DiscsAreDisplaced) {
 }
 
 bool may_stay_open(Engine& engine) {
-  return styles::active_disc_law(engine.lammps())->packed_discs().may_stay_open;
+  return styles::active_disc_law(engine.lammps())->may_stay_open();
 }
 
 TEST(FusedSteps, CanBeSwitchedOff) {

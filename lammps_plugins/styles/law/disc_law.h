@@ -48,6 +48,9 @@ struct MaterialConstant {
 };
 
 class DiscLaw : protected LAMMPS_NS::Pointers {
+  friend class AddedLoads;
+  friend class CarriedDiscs;
+
  public:
   explicit DiscLaw(LAMMPS_NS::LAMMPS* engine) : Pointers(engine) {}
   ~DiscLaw() override = default;
@@ -86,8 +89,12 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   /// start of the run, including discs that fixes will insert.
   double largest_radius(int type) const { return largest_radii_[type]; }
 
-  /// Packed disc data, shared with the fixes that move discs.
-  PackedDiscs& packed_discs() { return packed_; }
+  /// Packed disc data, for the fix that integrates; other fixes use fixes_in_step.h.
+  PackedDiscs& packed_discs(const DiscIntegrator& /*asks*/) { return packed_; }
+  /// Whether the loads of the last force evaluation are in the packed disc data, not in the engine.
+  bool step_is_open() const { return packed_.open; }
+  /// Whether steps of this run may be open.
+  bool may_stay_open() const { return packed_.may_stay_open; }
   /// With fused half-kicks ("open" state), contact forces are not needed until the next step begins; each
   /// disc is then moved as soon as all its contacts have been evaluated, while its row is still in cache.
   /// Call before reading loads; the integrator passes a function that advances all discs with index < before.

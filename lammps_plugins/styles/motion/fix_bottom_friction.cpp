@@ -11,6 +11,7 @@
 #include "engine/arguments.h"
 #include "engine/engine_access.h"
 #include "law/disc_law.h"
+#include "law/fixes_in_step.h"
 #include "physics/walls/bottom_friction.h"
 #include "update.h"
 
@@ -38,7 +39,6 @@ int FixBottomFriction::setmask() {
 void FixBottomFriction::init() {
   reset_dt();
   law_ = active_disc_law(*lmp);
-  packed_ = law_ ? &law_->packed_discs() : nullptr;
 }
 
 void FixBottomFriction::reset_dt() {
@@ -51,23 +51,16 @@ void FixBottomFriction::reset_dt() {
   }
 }
 
-/// Uses the velocities that contacts use. In the open state, forces are added to the packed loads rather than
-/// to the engine's arrays.
+/// Uses the velocities that contacts use.
 double FixBottomFriction::apply() {
-  const bool open = packed_ && packed_->open;
-  if (open) law_->complete_step();
+  AddedLoads loads(law_, *atom);
   double power = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     const auto* seen = law_ ? law_->seen(i) : nullptr;
     const auto v = seen ? seen->velocity() : physics::PlaneVector{atom->v[i][0], atom->v[i][1]};
     const auto force = physics::bottom_friction(mu_b_ * g_ * atom->rmass[i], v, v_0_);
-    if (open) {
-      packed_->loads[i].add_force(force.x, force.y);
-    } else {
-      atom->f[i][0] += force.x;
-      atom->f[i][1] += force.y;
-    }
+    loads.add(i, force);
     power -= force.x * v.x + force.y * v.y;
   }
   return power;

@@ -10,7 +10,6 @@
 namespace mikromakro::styles {
 
 class DiscLaw;
-struct PackedDiscs;
 
 /// fix ID group bottom/friction MU_B G [velocity V0]
 ///
@@ -41,7 +40,6 @@ class FixBottomFriction : public FixOfEngine, public FixOnRows {
   double sum_of_all_ranks(double value) const;
 
   DiscLaw* law_ = nullptr;
-  PackedDiscs* packed_ = nullptr;
   double mu_b_, g_;
   double given_v_0_ = 0;  // 0: not given
   double v_0_ = 0;

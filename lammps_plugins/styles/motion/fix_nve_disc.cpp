@@ -81,7 +81,7 @@ void FixNveDisc::init() {
   prediction_ = Prediction::none;
   next_question_ = 0;
   law_ = active_disc_law(*lmp);
-  packed_ = law_ ? &law_->packed_discs() : nullptr;
+  packed_ = law_ ? &law_->packed_discs(*this) : nullptr;
   predicts_ = law_ && predicted_ && law_->velocities_predicted();
   if (packed_) packed_->may_stay_open = predicts_ && fused_ && may_stay_open(*lmp, *this);
 }

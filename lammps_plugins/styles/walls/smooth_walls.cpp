@@ -10,6 +10,7 @@
 #include "engine/engine_access.h"
 #include "engine/first_rank.h"
 #include "law/disc_law.h"
+#include "law/fixes_in_step.h"
 #include "neighbor.h"
 #include "update.h"
 
@@ -149,23 +150,8 @@ physics::MovingDisc SmoothWalls::disc(int i) const {
   return {{x[0], x[1]}, {v[0], v[1]}, atom->omega[i][2], atom->radius[i]};
 }
 
-/// Adds after the disc-disc contacts in both the open and the closed state, so that both give the same sums.
-template <Effects effects>
-void SmoothWalls::add_to_disc(int i, const physics::PlaneVector& force, double torque) {
-  auto& packed = law_->packed_discs();
-  if (packed.open) {
-    packed.loads[i].add_force(force.x, force.y);
-    if constexpr (effects.tangential != Tangential::none)
-      packed.loads[i].add_torque(torque, packed.discs[i].radius());
-  } else {
-    atom->f[i][0] += force.x;
-    atom->f[i][1] += force.y;
-    if constexpr (effects.tangential != Tangential::none) atom->torque[i][2] += torque;
-  }
-}
-
 void SmoothWalls::apply(const std::vector<physics::SmoothWall>& walls) {
-  if (law_->packed_discs().open) law_->complete_step();
+  AddedLoads on_discs(law_, *atom);
   bool search = neighbor->ago == 0 || walls_then_.empty();
   for (std::size_t k = 0; !search && k < walls.size(); ++k)
     search = physics::displacement(walls_then_[k], walls[k]) > neighbor->skin / 2;
@@ -177,7 +163,7 @@ void SmoothWalls::apply(const std::vector<physics::SmoothWall>& walls) {
   for (std::size_t k = 0; k < walls.size(); ++k) {
     loads_[k] = {};
     kinds_[k].curvature = physics::curvature(walls[k]);
-    (this->*loop_)(static_cast<int>(k), walls[k]);
+    (this->*loop_)(static_cast<int>(k), walls[k], on_discs);
   }
   if (recording_) recorded_step_ = update->ntimestep;
 }
@@ -192,7 +178,7 @@ physics::WallSpring* SmoothWalls::spring_of(int i, int number, bool make) {
 }
 
 template <Effects effects>
-void SmoothWalls::touch(int number, const physics::SmoothWall& wall) {
+void SmoothWalls::touch(int number, const physics::SmoothWall& wall, AddedLoads& on_discs) {
   for (const int i : near_[number]) {
     const auto disc = this->disc(i);
     const auto at = physics::nearest_point(wall, disc.position);
@@ -211,7 +197,7 @@ void SmoothWalls::touch(int number, const physics::SmoothWall& wall) {
     const auto& n = at.normal;
     const physics::PlaneVector on_disc{-force.f_n * n.x - force.f_t * n.y,
                                        -force.f_n * n.y + force.f_t * n.x};
-    add_to_disc<effects>(i, on_disc, at.distance * force.f_t);
+    on_discs.add(i, on_disc, at.distance * force.f_t);
     loads_[number].add(wall, at, force.f_n, on_disc);
     if (recording_) record(i, number, at, state, force);
   }

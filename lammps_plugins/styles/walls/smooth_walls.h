@@ -14,6 +14,7 @@
 
 namespace mikromakro::styles {
 
+class AddedLoads;
 class DiscLaw;
 
 /// Up to four walls act on the discs of a group, except those of excluded groups, under the active disc law.
@@ -66,15 +67,13 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
  private:
   static constexpr int no_slot = -1;
   using Springs = std::array<physics::WallSpring, most_walls>;
-  using Loop = void (SmoothWalls::*)(int number, const physics::SmoothWall& wall);
+  using Loop = void (SmoothWalls::*)(int number, const physics::SmoothWall& wall, AddedLoads& on_discs);
   struct Recorded {
     int disc;
     ContactRow row;
   };
 
   bool touches_walls(int i) const;
-  template <physics::Effects effects>
-  void add_to_disc(int i, const physics::PlaneVector& force, double torque);
   void find_law();
   void warn_of_cuts(const std::vector<physics::SmoothWall>& walls) const;
   /// Describes the deepest cut of half a radius or more; "" if none.
@@ -84,7 +83,7 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   void forget_unused_springs();
   physics::WallSpring* spring_of(int i, int number, bool make);
   template <physics::Effects effects>
-  void touch(int number, const physics::SmoothWall& wall);
+  void touch(int number, const physics::SmoothWall& wall, AddedLoads& on_discs);
   void record(int i, int number, const physics::WallPoint& at, const physics::ContactState& state,
               const physics::ContactForce& force);
   template <int... numbers>

@@ -10,6 +10,7 @@
 #include "domain.h"
 #include "engine/engine_access.h"
 #include "law/disc_law.h"
+#include "law/fixes_in_step.h"
 #include "memory.h"
 #include "update.h"
 
@@ -72,7 +73,6 @@ void FixCouette2d::init() {
   adopt_new_wall_discs();
   if (walls_.any()) walls_.init(smooth_rings_at(update->ntimestep));
   law_ = active_disc_law(*lmp);
-  packed_ = law_ ? &law_->packed_discs() : nullptr;
 }
 
 // Sets velocities at the start of a run, before ghosts receive theirs. Positions are untouched: they are
@@ -101,8 +101,7 @@ void FixCouette2d::post_force(int) {
 
 void FixCouette2d::initial_integrate(int) {
   follow_time_step(update->ntimestep - 1);
-  if (packed_ && packed_->open) {
-    law_->complete_step();
+  if (law_ && law_->step_is_open()) {
     carry_rows(update->ntimestep);
   } else {
     place_wall_discs(update->ntimestep, false);
@@ -167,6 +166,7 @@ void FixCouette2d::find_members() {
 // As place_wall_discs(), if velocities are needed in the rows only; a ring at rest is skipped.
 void FixCouette2d::carry_rows(LAMMPS_NS::bigint step) {
   if (!members_known_) find_members();
+  CarriedDiscs discs(*law_);
   const Rings rings = rings_at(step);
   for (int side = 0; side < 2; ++side) {
     const auto& ring = rings[side];
@@ -175,13 +175,12 @@ void FixCouette2d::carry_rows(LAMMPS_NS::bigint step) {
     for (const int i : members_[side]) {
       const physics::WallDiscState disc =
           physics::wall_disc_state(ring, {references_[i][0], references_[i][1]});
-      auto& row = packed_->discs[i];
-      row.move_to(settings_.centre.x + disc.position.x, settings_.centre.y + disc.position.y);
-      row.set_motion(disc.velocity.x, disc.velocity.y, ring.rotation_rate);
+      discs.carry(i, {settings_.centre.x + disc.position.x, settings_.centre.y + disc.position.y},
+                  disc.velocity, ring.rotation_rate);
     }
     const double before = settings_.rings[side].motion.course.radius(clock_.time_at(step - 1));
     const double turned = std::abs(ring.rotation_rate) * clock_.dt() * std::max(before, ring.radius);
-    packed_->furthest = std::max(packed_->furthest, std::abs(ring.radius - before) + turned);
+    discs.moved_by(std::abs(ring.radius - before) + turned);
   }
 }
 

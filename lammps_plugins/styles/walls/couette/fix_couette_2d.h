@@ -45,7 +45,6 @@
 namespace mikromakro::styles {
 
 class DiscLaw;
-struct PackedDiscs;
 
 class FixCouette2d : public FixWithClock, public WallContactSource, public FixOnRows, public KnowsHeight {
  public:
@@ -121,7 +120,6 @@ class FixCouette2d : public FixWithClock, public WallContactSource, public FixOn
   SmoothWalls walls_;              // of the smooth rings
   WallsOfRestart saved_walls_;
   DiscLaw* law_ = nullptr;
-  PackedDiscs* packed_ = nullptr;            // of the disc law, if there is one
   std::array<std::vector<int>, 2> members_;  // local indices of the wall discs of both rings
   bool members_known_ = false;
   Loads loads_;

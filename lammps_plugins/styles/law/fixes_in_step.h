@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What fixes may do within a step, in the open state (packed_discs.h) and out of it. Making one of these
+// objects completes the contacts of the step, so loads and rows cannot be reached before they are whole.
+#pragma once
+
+#include <vector>
+
+#include "physics/math/plane_vector.h"
+#include "physics/rows/disc_rows.h"
+
+namespace LAMMPS_NS {
+class Atom;
+}
+
+namespace mikromakro::styles {
+
+class DiscLaw;
+struct PackedDiscs;
+
+/// Adds forces of fixes to those of the contacts, behind all contacts: in the packed loads while the step is
+/// open, in the engine's arrays otherwise, with the same sums in both.
+class AddedLoads {
+ public:
+  /// `law` may be nullptr: without one, no step is open.
+  AddedLoads(DiscLaw* law, LAMMPS_NS::Atom& atom);
+
+  /// To the owned disc i; force [N].
+  void add(int i, const physics::PlaneVector& force);
+  /// And the torque [N m] of a force at its rim; ignored without friction, where spins do not change.
+  void add(int i, const physics::PlaneVector& force, double torque);
+
+ private:
+  LAMMPS_NS::Atom& atom_;
+  PackedDiscs* open_ = nullptr;  // nullptr: not an open step
+  bool spins_ = true;
+};
+
+/// Moves discs whose course is given, in an open step: their rows are all there is to write.
+class CarriedDiscs {
+ public:
+  explicit CarriedDiscs(DiscLaw& law);
+
+  /// The owned disc i; place [m], velocity [m/s], spin [1/s].
+  void carry(int i, const physics::PlaneVector& place, const physics::PlaneVector& velocity, double spin);
+  /// Call with an upper bound of their displacement in this step [m], which ages the neighbour list.
+  void moved_by(double at_most);
+
+ private:
+  PackedDiscs& packed_;
+};
+
+}  // namespace mikromakro::styles
