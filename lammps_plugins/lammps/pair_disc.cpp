@@ -15,6 +15,7 @@
 #include "error.h"
 #include "fix_disc_history.h"
 #include "force.h"
+#include "law/law_names.h"
 #include "memory.h"
 #include "modify.h"
 #include "neigh_request.h"
@@ -46,16 +47,6 @@ constexpr std::array<Constant, 5> table = {
      {"kt", "k_t [N/m]", "kt", &ContactParameters::tangential_stiffness, true},
      {"gammat", "gamma_t [kg/s]", "gammat_abs", &ContactParameters::tangential_damping, false},
      {"mu", "mu [-]", "coefficientFriction", &ContactParameters::friction, false}}};
-
-bool is_needed(const Constant& constant, const Effects& effects) {
-  const auto tangential = effects.tangential;
-  if (constant.member == &ContactParameters::normal_damping) return effects.normal_dashpot;
-  if (constant.member == &ContactParameters::friction) return tangential != Tangential::none;
-  if (constant.member == &ContactParameters::tangential_stiffness) return effects.spring();
-  if (constant.member == &ContactParameters::tangential_damping)
-    return tangential == Tangential::viscous_coulomb || tangential == Tangential::damped_spring;
-  return true;
-}
 
 std::string types_text(const std::string& i, const std::string& j) {
   return "pair_coeff " + i + " " + j;
@@ -216,7 +207,7 @@ ContactParameters PairDisc::parameters(int i, int j) const {
     const auto& [keyword, symbol, name, member, positive] = table[k];
     const auto& value = coefficients(i, j)[k];
     if (value) p.*member = *value;
-    if (!is_needed(table[k], law_.effects())) continue;
+    if (!is_needed(table[k].member, law_.effects().normal_dashpot, law_.effects().tangential)) continue;
     if (!value)
       law_.fail(pair + " needs the constant " + symbol + "; expected '" + pair + " ... " + keyword +
                 " VALUE'");
@@ -266,9 +257,8 @@ double PairDisc::elastic_energy(const AppliedContact& c) const {
   const physics::ContactState state{c.overlap, 0, 0, 0,
                                     physics::reduced_radius(atom->radius[c.i], atom->radius[c.j])};
   const ContactParameters& p = law_.parameters(atom->type[c.i], atom->type[c.j]);
-  return law_.effects().normal == physics::Normal::hertz
-             ? physics::normal_energy<Effects{.normal = physics::Normal::hertz}>(p, state)
-             : physics::normal_energy<Effects{.normal = physics::Normal::linear}>(p, state);
+  return physics::with_law(law_.effects().normal,
+                           [&](auto law) { return law.energy(p.normal_stiffness, state); });
 }
 
 double PairDisc::single(int i, int j, int /*type_i*/, int /*type_j*/, double distance_square,
@@ -327,7 +317,7 @@ PairDisc::Law::Law(PairDisc& pair, LAMMPS* engine, physics::Normal normal)
 }
 
 std::string PairDisc::Law::style() const {
-  return normal_ == physics::Normal::hertz ? "pair_style disc/hertz" : "pair_style disc/linear";
+  return std::string("pair_style ") + physics::name_of(normal_);
 }
 
 void PairDisc::Law::read(int narg, char** arg) {
@@ -338,17 +328,13 @@ void PairDisc::Law::read(int narg, char** arg) {
     if (take_setting(arguments)) continue;
     if (!arguments.take_once("tangential"))
       arguments.unexpected(std::string("tangential, damping, tangential_damping, limitForce") +
-                           (normal_ == physics::Normal::hertz ? ", impact_velocity" : "") +
+                           (physics::depends_on_velocity(normal_) ? ", impact_velocity" : "") +
                            " or the end of the command");
-    if (arguments.take("disc/viscous")) {
-      set_tangential(Tangential::viscous_coulomb);
-    } else if (arguments.take("disc/cundall_strack")) {
-      set_tangential(Tangential::spring);
-    } else if (arguments.take("off")) {
-      set_tangential(Tangential::none);
-    } else {
-      arguments.unexpected("tangential off, disc/viscous or disc/cundall_strack");
-    }
+    const auto names = tangential_names();
+    const auto named =
+        std::find_if(names.begin(), names.end(), [&](const auto& name) { return arguments.take(name); });
+    if (named == names.end()) arguments.unexpected("tangential " + alternatives(names));
+    set_tangential(*tangential_named(*named));
   }
   use_settings();
 }
@@ -358,9 +344,9 @@ std::vector<MaterialConstant> PairDisc::Law::given_constants() const {
   std::vector<MaterialConstant> all;
   const int types = atom->ntypes;
   for (std::size_t k = 0; k < table.size(); ++k) {
-    const bool hertz_stiffness = k == 0 && normal_ == physics::Normal::hertz;
-    const std::array<const char*, constants> units = {hertz_stiffness ? "N/m^2" : "N/m", "kg/s", "N/m",
-                                                      "kg/s", ""};
+    const std::array<const char*, constants> units = {
+        physics::with_law(normal_, [](auto law) { return law.unit_of_stiffness; }), "kg/s", "N/m", "kg/s",
+        ""};
     MaterialConstant constant{table[k].name, units[k], {}};
     for (int i = 1; i <= types; ++i) {
       for (int j = 1; j <= types; ++j) {

@@ -25,9 +25,14 @@ Pair* make_pair_disc(LAMMPS* engine) {
   return new PairDisc(engine, normal);
 }
 
-const std::map<std::string, Force::PairCreator> laws = {
-    {"disc/linear", make_pair_disc<physics::Normal::linear>},
-    {"disc/hertz", make_pair_disc<physics::Normal::hertz>}};
+template <int... normal>
+std::map<std::string, Force::PairCreator> styles_of(std::integer_sequence<int, normal...> /*all*/) {
+  return {{physics::name_of(static_cast<physics::Normal>(normal)),
+           make_pair_disc<static_cast<physics::Normal>(normal)>}...};
+}
+
+const std::map<std::string, Force::PairCreator> laws =
+    styles_of(std::make_integer_sequence<int, physics::normal_laws>{});
 const std::map<std::string, FixCreator> springs = {{"NEIGH_HISTORY/DISC", make_fix<FixDiscHistory>}};
 
 /// The package has no header from which the version could be checked at compile time.

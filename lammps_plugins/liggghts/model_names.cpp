@@ -14,6 +14,7 @@
 #include "force.h"
 #include "granular_pair_style.h"
 #include "granular_wall.h"
+#include "law/law_names.h"
 #include "model/nearest_name.h"
 
 namespace mikromakro::styles {
@@ -31,36 +32,45 @@ struct Choice {
   Words names;
   std::string text;
 };
-const std::map<std::string, Choice> choices = {
-    {"model", {{"disc/linear", "disc/hertz"}, "disc/linear or disc/hertz"}},
-    {"tangential",
-     {{"off", "disc/viscous", "disc/cundall_strack"}, "off, disc/viscous or disc/cundall_strack"}},
-    {"cohesion", {{"off"}, "off"}},
-    {"rolling_friction", {{"off"}, "off"}},
-    {"surface", {{"default"}, "default"}}};
+const std::map<std::string, Choice>& choices() {
+  static const std::map<std::string, Choice> all = {
+      {"model", {normal_names(), alternatives(normal_names())}},
+      {"tangential", {tangential_names(), alternatives(tangential_names())}},
+      {"cohesion", {{"off"}, "off"}},
+      {"rolling_friction", {{"off"}, "off"}},
+      {"surface", {{"default"}, "default"}}};
+  return all;
+}
 
 /// True for disc models, even if misspelt.
 bool names_discs(const std::string& word) {
-  constexpr std::array<std::string_view, 4> names = {"disc/linear", "disc/hertz", "disc/viscous",
-                                                     "disc/cundall_strack"};
-  return word.starts_with("disc/") || !nearest_name(word, names).empty();
+  if (word.starts_with("disc/")) return true;
+  std::vector<std::string> names = normal_names();
+  for (const std::string& name : tangential_names())
+    if (name.starts_with("disc/")) names.push_back(name);
+  return !nearest_name(word, std::vector<std::string_view>(names.begin(), names.end())).empty();
 }
 
 /// Leading arguments: pairs of model kind and model name.
 std::vector<std::pair<std::string, std::string>> models_in(const Words& words) {
   std::vector<std::pair<std::string, std::string>> named;
-  for (std::size_t k = 0; k + 1 < words.size() && choices.contains(words[k]); k += 2)
+  for (std::size_t k = 0; k + 1 < words.size() && choices().contains(words[k]); k += 2)
     named.emplace_back(words[k], words[k + 1]);
   return named;
+}
+
+std::string models_of_discs() {
+  Words quoted;
+  for (const std::string& name : normal_names()) quoted.push_back("'model " + name + "'");
+  return alternatives(quoted);
 }
 
 std::string fault_of(const Words& words) {
   if (std::none_of(words.begin(), words.end(), names_discs)) return "";
   if (words.front() != "model")
-    return "expected 'model disc/linear' or 'model disc/hertz' first, got " +
-           quoted_with_guess(words.front(), "model");
+    return "expected " + models_of_discs() + " first, got " + quoted_with_guess(words.front(), "model");
   for (const auto& [kind, name] : models_in(words)) {
-    const Choice& choice = choices.at(kind);
+    const Choice& choice = choices().at(kind);
     if (std::find(choice.names.begin(), choice.names.end(), name) == choice.names.end())
       return kind + ": expected " + choice.text + " with a model of discs, got " +
              quoted_with_guess(name, choice.text);

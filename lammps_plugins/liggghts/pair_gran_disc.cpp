@@ -21,33 +21,13 @@ using physics::Tangential;
 namespace {
 
 Normal normal_of(int64_t hash) {
-  return static_cast<int>(hash & 63) == normal_model_hertz ? Normal::hertz : Normal::linear;
+  return static_cast<Normal>(static_cast<int>(hash & 63) - model_of(Normal{}));
 }
 
 Tangential tangential_of(int64_t hash) {
-  switch (static_cast<int>((hash >> 6) & 63)) {
-    case tangential_model_viscous:
-      return Tangential::viscous_coulomb;
-    case tangential_model_cundall_strack:
-      return Tangential::spring;
-    default:
-      return Tangential::none;
-  }
-}
-
-const char* normal_name(Normal normal) {
-  return normal == Normal::hertz ? "disc/hertz" : "disc/linear";
-}
-
-const char* tangential_name(Tangential tangential) {
-  switch (tangential) {
-    case Tangential::none:
-      return "off";
-    case Tangential::viscous_coulomb:
-      return "disc/viscous";
-    default:
-      return "disc/cundall_strack";
-  }
+  const int model = static_cast<int>((hash >> 6) & 63);
+  return model == model_of(Tangential::none) ? Tangential::none
+                                             : static_cast<Tangential>(model - model_of(Tangential{1}) + 1);
 }
 
 }  // namespace
@@ -63,7 +43,7 @@ PairGranDisc::PairGranDisc(LAMMPS* engine, PairGran* parent, int64_t hash) : Dis
 }
 
 std::string PairGranDisc::style() const {
-  return std::string("pair_style gran model ") + normal_name(effects().normal);
+  return std::string("pair_style gran model ") + physics::name_of(effects().normal);
 }
 
 void PairGranDisc::settings(int narg, char** arg, LIGGGHTS::IContactHistorySetup* /*history*/) {
@@ -73,7 +53,7 @@ void PairGranDisc::settings(int narg, char** arg, LIGGGHTS::IContactHistorySetup
   while (arguments.more()) {
     if (take_setting(arguments) || take_switch(arguments, "absolute_damping", absolute_damping)) continue;
     arguments.unexpected(std::string("damping, tangential_damping, limitForce, absolute_damping") +
-                         (effects().normal == Normal::hertz ? ", impact_velocity" : "") +
+                         (physics::depends_on_velocity(effects().normal) ? ", impact_velocity" : "") +
                          " or the end of the command");
   }
   // Accepted for compatibility with the stock law; the disc law has only absolute damping constants.
@@ -102,8 +82,8 @@ int PairGranDisc::get_history_offset(const std::string name) {
 }
 
 bool PairGranDisc::contact_match(const std::string kind, const std::string model) {
-  if (kind == "normal") return model == normal_name(effects().normal);
-  if (kind == "tangential") return model == tangential_name(effects().tangential);
+  if (kind == "normal") return model == physics::name_of(effects().normal);
+  if (kind == "tangential") return model == physics::name_of(effects().tangential);
   if (kind == "surface") return model == "default";
   return model == "off";
 }

@@ -14,10 +14,13 @@
 namespace mikromakro::styles {
 
 /// Ids of our models in the factories of LIGGGHTS: 6 bits; the engine's own are below 32.
-inline constexpr int normal_model_linear = 32;
-inline constexpr int normal_model_hertz = 33;
-inline constexpr int tangential_model_viscous = 32;
-inline constexpr int tangential_model_cundall_strack = 33;
+constexpr int model_of(physics::Normal normal) {
+  return 32 + static_cast<int>(normal);
+}
+/// "off" is the engine's own.
+constexpr int model_of(physics::Tangential tangential) {
+  return tangential == physics::Tangential::none ? 0 : 31 + static_cast<int>(tangential);
+}
 
 class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, public DiscLaw {
  public:
@@ -30,7 +33,9 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, public Dis
   void compute_force(LAMMPS_NS::PairGran* pair, int eflag, int vflag, int addflag) override;
 
   int get_history_offset(const std::string name) override;
-  double stressStrainExponent() override { return effects().normal == physics::Normal::hertz ? 1.5 : 1.0; }
+  double stressStrainExponent() override {
+    return physics::with_law(effects().normal, [](auto law) { return law.exponent; });
+  }
   int64_t hashcode() override { return hash_; }
   bool contact_match(const std::string kind, const std::string model) override;
 
@@ -45,7 +50,7 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, public Dis
  private:
   std::vector<physics::ContactParameters> read_material_constants() const;
   void leave_foreign_springs();
-  std::vector<double> material_constant(const char* name, const char* symbol) const;
+  std::vector<double> material_constant(const char* name, const std::string& symbol) const;
 
   int64_t hash_;
   LAMMPS_NS::PairGran* pair_ = nullptr;  // during an evaluation

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Material constants, and registration with the engine's factories.
+#include <array>
 #include <string>
-#include <utility>
 
 #include "atom.h"
 #include "contact_models.h"
@@ -9,6 +9,7 @@
 #include "engine/engine_access.h"
 #include "fix_property_global.h"
 #include "force.h"
+#include "law/law_names.h"
 #include "model_names.h"
 #include "modify.h"
 #include "pair_gran_disc.h"
@@ -19,7 +20,27 @@ namespace mikromakro::styles {
 using namespace LAMMPS_NS;
 using physics::Tangential;
 
-std::vector<double> PairGranDisc::material_constant(const char* name, const char* symbol) const {
+namespace {
+
+struct Constant {
+  const char *name, *symbol, *unit;
+  double physics::ContactParameters::*member;
+};
+constexpr std::array<Constant, 5> constants = {
+    {{"kn", "k_n", "", &physics::ContactParameters::normal_stiffness},
+     {"gamman_abs", "gamma_n", "kg/s", &physics::ContactParameters::normal_damping},
+     {"coefficientFriction", "mu", "", &physics::ContactParameters::friction},
+     {"kt", "k_t", "N/m", &physics::ContactParameters::tangential_stiffness},
+     {"gammat_abs", "gamma_t", "kg/s", &physics::ContactParameters::tangential_damping}}};
+
+std::string unit_of(const Constant& constant, physics::Normal normal) {
+  const bool of_law = constant.member == &physics::ContactParameters::normal_stiffness;
+  return of_law ? physics::with_law(normal, [](auto law) { return law.unit_of_stiffness; }) : constant.unit;
+}
+
+}  // namespace
+
+std::vector<double> PairGranDisc::material_constant(const char* name, const std::string& symbol) const {
   const int types = atom->ntypes;
   auto* fix = dynamic_cast<FixPropertyGlobal*>(modify->find_fix_property(
       name, "property/global", "peratomtypepair", types, types, "pair_style gran", false));
@@ -41,20 +62,14 @@ std::vector<double> PairGranDisc::material_constant(const char* name, const char
 }
 
 std::vector<physics::ContactParameters> PairGranDisc::read_material_constants() const {
-  const auto tangential = effects().tangential;
-  const bool damped = tangential == Tangential::viscous_coulomb || tangential == Tangential::damped_spring;
   std::vector<physics::ContactParameters> parameters(static_cast<std::size_t>(atom->ntypes) * atom->ntypes);
-  const auto store = [&](double physics::ContactParameters::*member, const char* name, const char* symbol) {
-    const auto values = material_constant(name, symbol);
-    for (std::size_t k = 0; k < values.size(); ++k) parameters[k].*member = values[k];
-  };
-  using P = physics::ContactParameters;
-  const bool hertz = effects().normal == physics::Normal::hertz;
-  store(&P::normal_stiffness, "kn", hertz ? "k_n [N/m^2]" : "k_n [N/m]");
-  if (effects().normal_dashpot) store(&P::normal_damping, "gamman_abs", "gamma_n [kg/s]");
-  if (tangential != Tangential::none) store(&P::friction, "coefficientFriction", "mu [-]");
-  if (effects().spring()) store(&P::tangential_stiffness, "kt", "k_t [N/m]");
-  if (damped) store(&P::tangential_damping, "gammat_abs", "gamma_t [kg/s]");
+  for (const Constant& constant : constants) {
+    if (!is_needed(constant.member, effects().normal_dashpot, effects().tangential)) continue;
+    const std::string unit = unit_of(constant, effects().normal);
+    const auto values =
+        material_constant(constant.name, constant.symbol + (" [" + (unit.empty() ? "-" : unit) + "]"));
+    for (std::size_t k = 0; k < values.size(); ++k) parameters[k].*constant.member = values[k];
+  }
   for (const auto& p : parameters) {
     if (p.normal_stiffness == 0) fail("property/global kn: expected > 0, got 0");
     if (effects().spring() && p.tangential_stiffness == 0) {
@@ -67,19 +82,13 @@ std::vector<physics::ContactParameters> PairGranDisc::read_material_constants() 
 }
 
 std::vector<MaterialConstant> PairGranDisc::given_constants() const {
-  const bool hertz = effects().normal == physics::Normal::hertz;
-  const std::vector<std::pair<const char*, const char*>> all = {{"kn", hertz ? "N/m^2" : "N/m"},
-                                                                {"gamman_abs", "kg/s"},
-                                                                {"kt", "N/m"},
-                                                                {"gammat_abs", "kg/s"},
-                                                                {"coefficientFriction", ""}};
   const int types = atom->ntypes;
   std::vector<MaterialConstant> given;
-  for (const auto& [name, unit] : all) {
+  for (const Constant& constant : constants) {
     auto* fix = dynamic_cast<FixPropertyGlobal*>(modify->find_fix_property(
-        name, "property/global", "peratomtypepair", types, types, "snapshot/disc", false));
+        constant.name, "property/global", "peratomtypepair", types, types, "snapshot/disc", false));
     if (!fix) continue;
-    given.push_back({name, unit, {}});
+    given.push_back({constant.name, unit_of(constant, effects().normal), {}});
     for (int i = 0; i < types; ++i)
       for (int j = 0; j < types; ++j) given.back().values.push_back(fix->compute_array(i, j));
   }
@@ -113,8 +122,7 @@ DiscLaw* active_disc_law(LAMMPS& engine) {
 }
 
 const char* const disc_pair_style = "pair_style gran model disc/linear ...";
-const char* const law_styles =
-    "Pair style gran: model disc/linear disc/hertz, tangential off disc/viscous disc/cundall_strack";
+const char* const law_styles[] = {"Pair style gran: model", "tangential"};
 
 void register_disc_laws(LAMMPS& /*engine*/) {
   using LIGGGHTS::Utils::generate_gran_hashcode;
@@ -124,15 +132,15 @@ void register_disc_laws(LAMMPS& /*engine*/) {
   done = true;
   watch_model_names();
   auto& names = models::Factory::instance();
-  names.addNormalModel("disc/linear", normal_model_linear);
-  names.addNormalModel("disc/hertz", normal_model_hertz);
-  names.addTangentialModel("disc/viscous", tangential_model_viscous);
-  names.addTangentialModel("disc/cundall_strack", tangential_model_cundall_strack);
-  for (const int normal : {normal_model_linear, normal_model_hertz}) {
-    for (const int tangential : {static_cast<int>(models::TANGENTIAL_OFF), tangential_model_viscous,
-                                 tangential_model_cundall_strack}) {
-      const auto hash = generate_gran_hashcode(normal, tangential, models::COHESION_OFF, models::ROLLING_OFF,
-                                               models::SURFACE_DEFAULT);
+  for (const auto normal : physics::all_normal_laws())
+    names.addNormalModel(physics::name_of(normal), model_of(normal));
+  for (const auto& name : tangential_names()) {
+    const auto tangential = *tangential_named(name);
+    const int model = model_of(tangential);
+    if (tangential != Tangential::none) names.addTangentialModel(name, model);
+    for (const auto normal : physics::all_normal_laws()) {
+      const auto hash = generate_gran_hashcode(model_of(normal), model, models::COHESION_OFF,
+                                               models::ROLLING_OFF, models::SURFACE_DEFAULT);
       LIGGGHTS::PairStyles::Factory::instance().addStyle("gran", static_cast<int>(hash), create_disc_law);
     }
   }

@@ -91,7 +91,7 @@ template <Effects effects>
   store(c.d_x, place[0]);
   store(c.d_y, place[1]);
   store(c.reach, place[2]);
-  if constexpr (effects.normal == Normal::hertz) store(c.radius_difference, place[3]);
+  if constexpr (NormalLaw<effects.normal>::depends_on_radius) store(c.radius_difference, place[3]);
   store(c.w_x, motion[0]);
   store(c.w_y, motion[1]);
   if constexpr (effects.tangential != Tangential::none) {
@@ -183,7 +183,7 @@ template <Effects effects>
   for (int k = 0; k < all; ++k) {
     const ContactParameters parameters{c.k_n[k], c.gamma_n[k], c.k_t[k], c.gamma_t[k], c.mu[k]};
     ContactState state{c.overlap[k], c.v_n[k], c.v_t[k], effects.spring() ? springs->xi[k] : 0.0};
-    if constexpr (effects.normal == Normal::hertz) {
+    if constexpr (NormalLaw<effects.normal>::depends_on_radius) {
       const double a_1 = (c.reach[k] - c.radius_difference[k]) / 2;
       state.reduced_radius = reduced_radius(a_1, c.reach[k] - a_1);
     }

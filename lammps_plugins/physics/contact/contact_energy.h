@@ -6,11 +6,10 @@
 
 namespace mikromakro::physics {
 
-/// Elastic energy of the normal spring [J], the integral of the elastic force over the overlap: 1/2 force
-/// times overlap, 2/5 for Hertz's law.
+/// Elastic energy of the normal spring [J], the integral of the elastic force over the overlap.
 template <Effects effects>
 double normal_energy(const ContactParameters& p, const ContactState& s) {
-  return (effects.normal == Normal::hertz ? 0.4 : 0.5) * elastic_force<effects>(p, s) * s.overlap;
+  return NormalLaw<effects.normal>::energy(p.normal_stiffness, s);
 }
 
 /// Elastic energy of the tangential spring, k_t xi^2 / 2 [J].

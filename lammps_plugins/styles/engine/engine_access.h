@@ -36,8 +36,8 @@ void register_disc_laws(LAMMPS_NS::LAMMPS& engine);
 extern const char* const engine_family;
 std::string engine_name(const LAMMPS_NS::LAMMPS& engine);
 
-/// The law as listed by -help.
-extern const char* const law_styles;
+/// What -help puts before the names of the normal and of the tangential laws.
+extern const char* const law_styles[2];
 
 // The engine's style tables, by name in scripts.
 std::map<std::string, FixCreator>& fix_styles(LAMMPS_NS::Modify& modify);

@@ -79,7 +79,7 @@ bool DiscLaw::take_setting(Arguments& arguments) {
       take_switch(arguments, "limitForce", effects_.no_attraction)) {
     return true;
   }
-  if (effects_.normal != Normal::hertz || !arguments.take_once("impact_velocity")) return false;
+  if (!physics::depends_on_velocity(effects_.normal) || !arguments.take_once("impact_velocity")) return false;
   impact_velocity_ = arguments.positive("impact_velocity");
   return true;
 }
@@ -223,8 +223,9 @@ double DiscLaw::strongest_contact() const {
     if (overlap <= 0) continue;
     const double k_n = parameters(atom->type[pair.i], atom->type[pair.j]).normal_stiffness;
     const double reduced = physics::reduced_radius(a.radius(), b.radius());
-    const bool hertz = effects_.normal == Normal::hertz;
-    strongest = std::max(strongest, k_n * overlap * (hertz ? std::sqrt(reduced * overlap) : 1));
+    strongest = std::max(strongest, physics::with_law(effects_.normal, [&](auto law) {
+                           return law.force(k_n, {overlap, 0, 0, 0, reduced});
+                         }));
   }
   return strongest;
 }

@@ -24,17 +24,6 @@ struct Effect {
   bool simulated;
 };
 
-const char* friction_name(Tangential tangential) {
-  switch (tangential) {
-    case Tangential::none:
-      return "friction";
-    case Tangential::viscous_coulomb:
-      return "friction by Eq. 1";
-    default:
-      return "friction with spring";
-  }
-}
-
 template <class Condition>
 bool any_fix(const LAMMPS_NS::Modify& modify, Condition condition) {
   const auto all = fixes(modify);
@@ -53,9 +42,9 @@ std::vector<Effect> effects(const physics::Effects& law, const LAMMPS_NS::Modify
     return std::strncmp(fix->style, "wall", 4) == 0 && !dynamic_cast<const WallContactSource*>(fix);
   };
   std::vector<Effect> all = {
-      {law.normal == Normal::hertz ? "normal force of Hertz" : "linear normal force", true},
+      {with_law(law.normal, [](auto of) { return of.effect; }), true},
       {"normal dashpot", law.normal_dashpot},
-      {friction_name(law.tangential), law.tangential != Tangential::none},
+      {with_law(law.tangential, [](auto of) { return of.effect; }), law.tangential != Tangential::none},
       {"tangential dashpot", law.tangential == Tangential::damped_spring},
       {"cut-off of attraction", law.no_attraction},
       {"bottom friction", any_fix(modify, style("bottom/friction"))},

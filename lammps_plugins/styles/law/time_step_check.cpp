@@ -107,19 +107,11 @@ std::vector<double> largest_overlaps(const Atom& atom, const NeighList& list, MP
   return largest;
 }
 
-/// Conditions of a collision between two types.
-struct Meeting {
-  double m12, reduced_radius, velocity, overlap;
-};
-
-double duration(const physics::ContactParameters& p, const physics::Effects& effects, const Meeting& m) {
-  if (effects.normal == physics::Normal::linear)
-    return physics::contact_duration(p.normal_stiffness, p.normal_damping, m.m12);
-  const double k_h = physics::hertz_stiffness(p.normal_stiffness, m.reduced_radius);
-  const double k_t = effects.spring() ? p.tangential_stiffness : 0.0;
-  const double stiffest = std::max(physics::hertz_tangent_stiffness(k_h, m.overlap), k_t);
-  const double oscillation = stiffest > 0 ? physics::contact_duration(stiffest, 0, m.m12) : infinite;
-  return std::min(physics::hertz_contact_duration(k_h, m.m12, m.velocity), oscillation);
+double duration(const physics::ContactParameters& p, const physics::Effects& effects,
+                const physics::Collision& c) {
+  physics::ContactParameters used = p;
+  if (!effects.spring()) used.tangential_stiffness = 0;
+  return physics::with_law(effects.normal, [&](auto law) { return law.duration(used, c); });
 }
 
 /// Shortest contact duration over all pairs of types that can collide [s]; infinite if nothing moves.
@@ -135,7 +127,7 @@ double shortest_contact(const TypesAtHand& at_hand, const std::vector<double>& o
       const double m_j = at_hand.mass[j], overlap = overlaps[i * types + j];
       const double velocity = std::max(law.impact_velocity, at_hand.speed[i] + at_hand.speed[j]);
       const auto meet = [&](double m12, double a_j) {
-        const Meeting meeting{m12, physics::reduced_radius(a_i, a_j), velocity, overlap};
+        const physics::Collision meeting{m12, physics::reduced_radius(a_i, a_j), velocity, overlap};
         shortest = std::min(shortest, duration(p, law.effects, meeting));
       };
       if (std::isfinite(m_j)) meet(physics::reduced_mass(m_i, m_j), at_hand.radius[j]);
@@ -154,12 +146,12 @@ bool any_moves(const TypesAtHand& types) {
 void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& style, const TimeScales& law) {
   const Atom& atom = *engine.atom;
   const auto at_hand = types_at_hand(atom, *engine.modify, engine.world);
-  const bool hertz = law.effects.normal == physics::Normal::hertz;
+  const bool by_velocity = physics::depends_on_velocity(law.effects.normal);
   const std::vector<double> untouched(law.parameters.size(), 0.0);
   const double t_c =
-      shortest_contact(at_hand, hertz ? largest_overlaps(atom, list, engine.world) : untouched, law);
+      shortest_contact(at_hand, by_velocity ? largest_overlaps(atom, list, engine.world) : untouched, law);
   if (!std::isfinite(t_c)) {
-    if (hertz && any_moves(at_hand)) {
+    if (by_velocity && any_moves(at_hand)) {
       warn(engine, style +
                        ": nothing moves or touches yet, so that the duration of contacts is not known and "
                        "the time step not checked; expected 'impact_velocity V' with the pair style");

@@ -90,9 +90,8 @@ FixEnergyDisc::Partner FixEnergyDisc::partner_of(const ContactRow& row, double r
   return {wall->type, physics::reduced_radius_at(wall->curvature, radius)};
 }
 
-template <physics::Normal normal>
+template <class NormalLaw>
 FixEnergyDisc::Contacts FixEnergyDisc::sum_of_rows() const {
-  constexpr physics::Effects effects{.normal = normal};
   const DiscLaw& law = *active_disc_law(*lmp);
   Contacts sum;
   for (const ContactRow& row : rows_) {
@@ -101,9 +100,9 @@ FixEnergyDisc::Contacts FixEnergyDisc::sum_of_rows() const {
     const physics::ContactParameters& p = law.parameters(atom->type[i], partner.type);
     const physics::ContactState state{row[column_overlap], row[column_vn], row[column_vt], row[column_xi],
                                       partner.reduced_radius};
-    sum.normal_energy += physics::normal_energy<effects>(p, state);
+    sum.normal_energy += NormalLaw::energy(p.normal_stiffness, state);
     sum.spring_energy += physics::spring_energy(p, state.xi);
-    sum.dashpot_power += physics::dashpot_power<effects>(p, state, row[column_fn]);
+    sum.dashpot_power += (row[column_fn] - NormalLaw::force(p.normal_stiffness, state)) * state.v_n;
     sum.tangential_power += physics::tangential_power(row[column_ft], state.v_t);
   }
   return sum;
@@ -114,8 +113,8 @@ FixEnergyDisc::Contacts FixEnergyDisc::evaluate() {
   if (!append_contact_rows(*lmp, groupbit, rows_))
     stop(*lmp, style, "expected the contacts of this step; define it behind the fixes with walls");
   find_walls();
-  const bool hertz = active_disc_law(*lmp)->effects().normal == physics::Normal::hertz;
-  return hertz ? sum_of_rows<physics::Normal::hertz>() : sum_of_rows<physics::Normal::linear>();
+  return physics::with_law(active_disc_law(*lmp)->effects().normal,
+                           [this](auto law) { return sum_of_rows<decltype(law)>(); });
 }
 
 double FixEnergyDisc::kinetic_energy() const {

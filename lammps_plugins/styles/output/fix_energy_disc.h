@@ -52,7 +52,7 @@ class FixEnergyDisc : public FixOfEngine, public ContactObserver {
   };
 
   Contacts evaluate();
-  template <physics::Normal normal>
+  template <class NormalLaw>
   Contacts sum_of_rows() const;
   void find_walls();
   Partner partner_of(const ContactRow& row, double radius) const;

@@ -5,6 +5,7 @@
 
 #include "engine/engine_access.h"
 #include "lammps.h"
+#include "law/law_names.h"
 #include "mikromakro_version.h"
 #include "motion/fix_bottom_friction.h"
 #include "motion/fix_nve_disc.h"
@@ -53,7 +54,13 @@ std::string version_line() {
 
 std::string style_list() {
   std::string text = "\nStyles of mikromakro\n\n";
-  text += std::string("* ") + law_styles + "\n";
+  const auto listed = [](const std::vector<std::string>& names) {
+    std::string all;
+    for (const auto& name : names) all += " " + name;
+    return all;
+  };
+  text += std::string("* ") + law_styles[0] + listed(normal_names()) + ", " + law_styles[1] +
+          listed(tangential_names()) + "\n";
   append_names(text, "Fix styles", disc_fixes);
   append_names(text, "Compute styles", disc_computes);
   append_names(text, "Commands", disc_commands);

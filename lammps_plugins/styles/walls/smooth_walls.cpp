@@ -190,7 +190,7 @@ void SmoothWalls::touch(int number, const physics::SmoothWall& wall, AddedLoads&
     }
     if (!contact) continue;
     auto state = physics::state_at_wall(wall, at, disc, spring->xi);
-    if constexpr (effects.normal == physics::Normal::hertz)
+    if constexpr (physics::NormalLaw<effects.normal>::depends_on_radius)
       state.reduced_radius = physics::reduced_radius_at(physics::curvature(wall), disc.radius);
     const auto& parameters = parameters_[number][atom->type[i] - 1];
     const auto force = physics::wall_contact_force<effects>(parameters, state, step_, *spring);

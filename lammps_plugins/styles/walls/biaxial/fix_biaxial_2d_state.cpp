@@ -78,7 +78,7 @@ void FixBiaxial2d::check_rectangle() const {
 
 std::array<double, 4> FixBiaxial2d::stiffness_of_contacts() const {
   const DiscLaw& law = *active_disc_law(*lmp);
-  const bool hertz = law.effects().normal == physics::Normal::hertz;
+  const auto normal = law.effects().normal;
   const auto walls = smooth_walls();
   const auto kinds = walls_.kinds();
   std::array<double, 4> sums{};
@@ -90,8 +90,7 @@ std::array<double, 4> FixBiaxial2d::stiffness_of_contacts() const {
       if (overlap <= 0) continue;
       const double k_n = law.parameters(atom->type[i], kinds[side].type).normal_stiffness;
       sums[side] +=
-          hertz ? physics::hertz_tangent_stiffness(physics::hertz_stiffness(k_n, atom->radius[i]), overlap)
-                : k_n;
+          physics::with_law(normal, [&](auto law) { return law.stiffness(k_n, atom->radius[i], overlap); });
     }
   }
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), 4, MPI_DOUBLE, MPI_SUM, world);
