@@ -20,6 +20,7 @@
 #include "engine/engine_access.h"
 #include "engine/engine_lists.h"
 #include "engine/first_rank.h"
+#include "engine/restart_state.h"
 #include "force.h"
 #include "law/disc_check.h"
 #include "law/effects_line.h"
@@ -42,6 +43,7 @@ namespace {
 /// The settings as stored in a restart file.
 struct SavedSettings {
   std::int64_t key;
+  StateHeader header;
   double impact_velocity;
   std::array<std::int32_t, 4> effects;
 };
@@ -96,6 +98,7 @@ void DiscLaw::use_settings() {
 
 void DiscLaw::write_settings(FILE* file, std::int64_t key) const {
   const SavedSettings settings{key,
+                               {.size = sizeof(SavedSettings)},
                                impact_velocity_,
                                {static_cast<int>(effects_.tangential), effects_.no_attraction,
                                 static_cast<int>(effects_.normal), effects_.normal_dashpot}};
@@ -109,6 +112,9 @@ void DiscLaw::read_settings(FILE* file, std::int64_t key) {
   MPI_Bcast(&settings, sizeof settings, MPI_BYTE, 0, world);
   MPI_Bcast(&complete, 1, MPI_INT, 0, world);
   if (!complete) fail("the restart file ends inside the settings of the pair style");
+  if (settings.header != StateHeader{.size = sizeof settings})
+    fail("the restart file is of another version of the styles; expected version " +
+         std::to_string(version_of_states) + ", got " + std::to_string(settings.header.version));
   const auto& [tangential, no_attraction, normal, normal_dashpot] = settings.effects;
   effects_ = {static_cast<Tangential>(tangential), no_attraction != 0, static_cast<Normal>(normal),
               normal_dashpot != 0};

@@ -4,12 +4,12 @@
 #include <mpi.h>
 
 #include <array>
-#include <cstring>
 
 #include "atom.h"
 #include "comm.h"
 #include "engine/arguments.h"
 #include "engine/engine_access.h"
+#include "engine/restart_state.h"
 #include "law/disc_law.h"
 #include "law/fixes_in_step.h"
 #include "physics/walls/bottom_friction.h"
@@ -101,14 +101,12 @@ void FixBottomFriction::write_restart(FILE* file) {
   power_ = state[0];
   energy_ = state[1];
   if (comm->me != 0) return;
-  const int size = sizeof state;
-  std::fwrite(&size, sizeof size, 1, file);
-  std::fwrite(&state, sizeof state, 1, file);
+  write_state(file, state);
 }
 
 void FixBottomFriction::restart(char* buffer) {
-  std::array<double, 2> state{};
-  if (comm->me == 0) std::memcpy(state.data(), buffer, sizeof state);
+  auto state = read_state<std::array<double, 2>>(*lmp, *this, buffer);
+  if (comm->me != 0) state.fill(0.0);
   power_ = state[0];
   energy_ = state[1];
   goes_on_ = true;

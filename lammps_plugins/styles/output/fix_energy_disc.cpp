@@ -4,7 +4,6 @@
 #include <mpi.h>
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 
 #include "atom.h"
@@ -12,6 +11,7 @@
 #include "engine/arguments.h"
 #include "engine/engine_access.h"
 #include "engine/engine_lists.h"
+#include "engine/restart_state.h"
 #include "law/disc_law.h"
 #include "modify.h"
 #include "physics/contact/contact_energy.h"
@@ -164,14 +164,12 @@ void FixEnergyDisc::write_restart(FILE* fp) {
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), 5, MPI_DOUBLE, MPI_SUM, world);
   go_on_with(comm->me == 0 ? sums : std::array<double, 5>{});
   if (comm->me != 0) return;
-  const int size = sizeof sums;
-  std::fwrite(&size, sizeof size, 1, fp);
-  std::fwrite(sums.data(), sizeof sums, 1, fp);
+  write_state(fp, sums);
 }
 
 void FixEnergyDisc::restart(char* buffer) {
-  std::array<double, 5> sums{};
-  if (comm->me == 0) std::memcpy(sums.data(), buffer, sizeof sums);
+  auto sums = read_state<std::array<double, 5>>(*lmp, *this, buffer);
+  if (comm->me != 0) sums.fill(0.0);
   go_on_with(sums);
   begun_ = true;
 }

@@ -4,7 +4,6 @@
 #include <mpi.h>
 
 #include <algorithm>
-#include <cstring>
 #include <type_traits>
 
 #include "atom.h"
@@ -12,6 +11,7 @@
 #include "domain.h"
 #include "engine/engine_lists.h"
 #include "engine/first_rank.h"
+#include "engine/restart_state.h"
 #include "error.h"
 #include "modify.h"
 #include "update.h"
@@ -216,14 +216,11 @@ void FixWallDisc::write_restart(FILE* file) {
                          static_cast<double>(clock_.step()),
                          clock_.dt(),
                          static_cast<double>(update->ntimestep)};
-  const int size = sizeof state;
-  std::fwrite(&size, sizeof size, 1, file);
-  std::fwrite(&state, sizeof state, 1, file);
+  write_state(file, state);
 }
 
 void FixWallDisc::restart(char* buffer) {
-  SavedState state;
-  std::memcpy(&state, buffer, sizeof state);
+  const auto state = read_state<SavedState>(*lmp, *this, buffer);
   if (!same_place(state.wall, settings_.wall)) {
     tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
                    "): not where the restart file has it: it begins anew at the place that the script gives");

@@ -2,12 +2,11 @@
 // fix biaxial/2d: changes of the wall control, checks, and restart.
 #include <mpi.h>
 
-#include <cstring>
-
 #include "atom.h"
 #include "comm.h"
 #include "engine/engine_access.h"
 #include "engine/first_rank.h"
+#include "engine/restart_state.h"
 #include "error.h"
 #include "law/disc_law.h"
 #include "physics/contact/contact_duration.h"
@@ -134,14 +133,11 @@ void FixBiaxial2d::write_restart(FILE* fp) {
                                static_cast<double>(clock_.step()),
                                clock_.dt(),
                                static_cast<double>(update->ntimestep)};
-  const int size = sizeof state;
-  std::fwrite(&size, sizeof size, 1, fp);
-  std::fwrite(&state, sizeof state, 1, fp);
+  write_state(fp, state);
 }
 
 void FixBiaxial2d::restart(char* buf) {
-  SavedState<Wall> state;
-  std::memcpy(&state, buf, sizeof state);
+  const auto state = read_state<SavedState<Wall>>(*lmp, *this, buf);
   clock_ = physics::StepClock(state.elapsed, static_cast<LAMMPS_NS::bigint>(state.step_of_clock), state.dt);
   // Steps may have been renumbered since read_restart.
   clock_.shift_steps(update->ntimestep - static_cast<LAMMPS_NS::bigint>(state.step_of_file));

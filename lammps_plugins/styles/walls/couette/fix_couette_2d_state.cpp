@@ -12,6 +12,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "engine/engine_lists.h"
+#include "engine/restart_state.h"
 #include "group.h"
 #include "memory.h"
 #include "modify.h"
@@ -29,7 +30,6 @@ const std::array<std::string, 2> side_names = {"inner", "outer"};
 
 // Restart data in addition to the references: the clock and the state of the rings.
 struct SavedState {
-  std::int64_t format;
   double elapsed;
   double step_of_clock;
   double dt;
@@ -38,7 +38,6 @@ struct SavedState {
   std::array<double, 2> rotation_rate;
   std::array<double, 2> radius;
 };
-constexpr std::int64_t saved_format = 0x636f756574746532;
 
 }  // namespace
 
@@ -165,24 +164,18 @@ void FixCouette2d::write_restart(FILE* fp) {
   if (comm->me != 0) return;
   const auto& [inner, outer] = settings_.rings;
   const Rings rings = rings_at(update->ntimestep);
-  const SavedState state{saved_format,
-                         clock_.elapsed(),
+  const SavedState state{clock_.elapsed(),
                          static_cast<double>(clock_.step()),
                          clock_.dt(),
                          static_cast<double>(update->ntimestep),
                          {inner.motion.angle_offset, outer.motion.angle_offset},
                          {inner.motion.rotation_rate, outer.motion.rotation_rate},
                          {rings[0].radius, rings[1].radius}};
-  const int size = sizeof state;
-  std::fwrite(&size, sizeof size, 1, fp);
-  std::fwrite(&state, sizeof state, 1, fp);
+  write_state(fp, state);
 }
 
 void FixCouette2d::restart(char* buf) {
-  SavedState state;
-  std::memcpy(&state, buf, sizeof state);
-  if (state.format != saved_format)
-    stop(*lmp, style, "expected a restart file of this version, got the rings of another one");
+  const auto state = read_state<SavedState>(*lmp, *this, buf);
   clock_ = physics::StepClock(state.elapsed, static_cast<LAMMPS_NS::bigint>(state.step_of_clock), state.dt);
   // Steps may have been renumbered since read_restart.
   clock_.shift_steps(update->ntimestep - static_cast<LAMMPS_NS::bigint>(state.step_of_file));
