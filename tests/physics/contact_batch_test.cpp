@@ -122,7 +122,7 @@ bool is_here(Processor processor) {
 }
 
 template <Effects effects>
-void evaluate_on(Processor processor, const Chain& chain, Outcome& outcome) {
+void evaluate_on([[maybe_unused]] Processor processor, const Chain& chain, Outcome& outcome) {
 #if defined(__x86_64__) && !defined(__clang__)
   if (processor == Processor::avx2) return on_avx2<effects>(chain, outcome);
   if (processor == Processor::avx512) return on_avx512<effects>(chain, outcome);

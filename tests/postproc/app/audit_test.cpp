@@ -8,10 +8,9 @@
 namespace mikromakro {
 namespace {
 
-// The snapshot of the shear cell. Torque on the wheel sum (x f_y - y f_x), 2 pi r^2 h sigma_phir of the rings
-// (shares of discs by the lens formula) and the residual were summed over the dump by a separate script: to
-// 1e-11, what the contact points leave. One snapshot of a slow cell has 16 and 2 %, 61 have 4 % of the
-// torque.
+// The snapshot of the shear cell, beside what tests/data/reference/sum_couette_small sums over the same dump:
+// to 1e-11, since both round in contact points and areas. One snapshot of a slow cell is off by 16 % (torque)
+// and 2 % (residual); 61 of them have 4 % of the torque.
 TEST(Audit, BalancesOfTheShearCell) {
   const std::string cell =
       "audit --particles reference/couette_small_particles.dump.gz "
