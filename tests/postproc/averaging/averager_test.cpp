@@ -27,65 +27,6 @@ Contact wall_contact(const Particle& disc, const Eigen::Vector2d& normal, const 
   return contact;
 }
 
-// Discs of radius 1 at (3, 0) and (0, 5), one of radius 2 without contacts at (-4, 0); V = 100 pi h, h = 2.
-//   V^p/h = pi, pi, 4 pi:  nu = 6/100; discs 1 and 2 touch (by their row): nu_1 = 2/100, nu_2 = 0
-//   C = (1 + 1 + 4*0)/6
-TEST(Averager, RattlersCountInNuOnly) {
-  Frame frame;
-  frame.particles = {make_disc(5, {3, 0}, 1), make_disc(90, {0, 5}, 1), make_disc(7, {-4, 0}, 2)};
-  frame.contacts = {make_contact(frame, 0, 1, 0)};
-  const RingAverage average(frame, {{0, 10}, {0, 0}, 2});
-  expect_measured(average.at("nu"), 0.06, rounding);
-  expect_measured(average.at("nu_1"), 0.02, rounding);
-  expect_measured(average.at("nu_2"), 0, rounding);
-  expect_measured(average.at("coordination"), 1.0 / 3, rounding);
-}
-
-// A middle disc between two others: 1, 2, 1 contacts; a fourth one closes a triangle with discs 2 and 3: 1,
-// 3, 2, 2.
-TEST(Averager, SolidFractionsByNumberOfContacts) {
-  Frame frame;
-  for (int i = 0; i < 4; ++i) frame.particles.push_back(make_disc(i + 1, {1.0 + i, 0.5}, 1));
-  frame.contacts = {make_contact(frame, 0, 1, 0), make_contact(frame, 1, 2, 0), make_contact(frame, 1, 3, 0),
-                    make_contact(frame, 3, 2, 0)};
-  const RingAverage average(frame, {{0, 10}});
-  expect_measured(average.at("nu_1"), 0.04, rounding);
-  expect_measured(average.at("nu_2"), 0.03, rounding);
-  expect_measured(average.at("nu_3"), 0.01, rounding);
-}
-
-// Weighted by volume: areas pi and 4 pi. Disc 1 at (3, 0): v = (1, 2) is v_r = 1, v_phi = 2; disc 2 at (0,
-// 5): e_r = (0, 1), e_phi = (-1, 0), so v = (3, -1) is v_r = -1, v_phi = -3. v_r = (1 - 4)/5, v_phi = (2 -
-// 12)/5, spin = (10 - 4*5)/5.
-TEST(Averager, VelocityAndSpinAreWeightedByVolumeInThePolarBasis) {
-  Frame frame;
-  frame.particles = {make_disc(1, {3, 0}, 1), make_disc(2, {0, 5}, 2)};
-  frame.particles[0].velocity = {1, 2};
-  frame.particles[1].velocity = {3, -1};
-  frame.particles[0].spin = 10;
-  frame.particles[1].spin = -5;
-  const RingAverage average(frame, {{0, 10}});
-  expect_measured(average.at("v_r"), -0.6, rounding);
-  expect_measured(average.at("v_phi"), -2, rounding);
-  expect_measured(average.at("spin"), -2, rounding);
-}
-
-// Masses 1 and 3 on the x axis (e_r = e_x), v = (2, 0) and (-2, 4): u = (2 - 6, 12)/4 = (-1, 3), v' = (3, -3)
-// and (-1, 1): sum m v' v' = 9 + 3 = 12 in rr and phiphi, -9 - 3 = -12 in rphi; V = 100 pi.
-TEST(Averager, KineticStressOfTheFluctuations) {
-  Frame frame;
-  frame.particles = {make_disc(1, {3, 0}, 1), make_disc(2, {6, 0}, 1)};
-  frame.particles[1].mass = 3;
-  frame.particles[0].velocity = {2, 0};
-  frame.particles[1].velocity = {-2, 4};
-  const RingAverage average(frame, {{0, 10}});
-  const double size = 12 / (100 * pi);
-  expect_measured(average.at("sigma_kin_rr"), -size, rounding);
-  expect_measured(average.at("sigma_kin_rphi"), size, rounding);
-  expect_measured(average.at("sigma_kin_phir"), size, rounding);
-  expect_measured(average.at("sigma_kin_phiphi"), -size, rounding);
-}
-
 // A disc at (0, 3), radius 2, pressed by the wall below it: n = (0, -1) = -e_r, force (1, 4) = 4 e_r - 1
 // e_phi on the disc. f (x) l with l = -2 e_r: sigma_rr = -8/V, sigma_phir = +2/V; V^p n (x) n = 4 pi in F_rr;
 // V = 100 pi.

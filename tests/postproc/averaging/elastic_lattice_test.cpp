@@ -130,27 +130,6 @@ TEST(ElasticLattice, TriangularLatticeUnderUniaxialExtension) {
                   rounding);
 }
 
-// Contacts along x with overlap 0.06 and at 45 degrees with 0.02, a pair each: eps must take (1, 0) to
-// (-0.06, 0) and (1, 1) to (-0.02, -0.02), which fixes it; it is not symmetric, since F and B do not commute.
-TEST(ElasticLattice, StrainIsNotSymmetricWhenOverlapsAndFabricDiffer) {
-  const double c = std::numbers::sqrt2 / 2;
-  const Frame frame = make_star(1, 30, {{1.94, 0}, {-1.94, 0}, {1.98 * c, 1.98 * c}, {-1.98 * c, -1.98 * c}});
-  const RingAverage average(frame, on_x_axis(30));
-  expect_measured(average.at("eps_rr"), -0.06, rounding);
-  expect_measured(average.at("eps_rphi"), 0.04, rounding);
-  expect_measured(average.at("eps_phir"), 0, rounding);
-  expect_measured(average.at("eps_phiphi"), -0.02, rounding);
-}
-
-// With l = (a - overlap/2) n the least squares have the l of the branch: isotropic eps = -overlap/(a -
-// overlap/2).
-TEST(ElasticLattice, StrainUsesTheBranchThatWasAskedFor) {
-  RingSetup setup = whole_patch(1, 100);
-  setup.options.branch = Branch::contact;
-  const RingAverage average(make_lattice({2, 3.96, 100, 4, undeformed}), setup);
-  expect_measured(average.at("eps_rr"), -0.04 / 1.98, rounding);
-}
-
 // Contacts along one line do not fix eps across it; nor do no contacts at all. Nothing is 0 or inf.
 TEST(ElasticLattice, SingularFabricGivesNan) {
   const double c = std::cos(0.3);

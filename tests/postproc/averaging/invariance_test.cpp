@@ -136,32 +136,5 @@ TEST_P(RingAverages, DoNotChangeWhenTheDiscsOfEveryRowAreSwapped) {
   expect_same(frame, swapped, 0);
 }
 
-// Along e_r, on the edge of bins 2 and 3 of 4, and from disc 2 along -e_r, on that of 4 and 1, as at smooth
-// walls: rounding does not choose.
-TEST(RingHistogram, ContactsOnTheEdgeOfTwoBinsCountHalfInEach) {
-  for (const double off : {-1e-9, 0.0, 1e-9}) {
-    Frame frame;
-    frame.particles = {make_disc(1, {3, 0}, 1), make_disc(2, {4.9, off}, 1)};
-    frame.contacts = {make_contact(frame, 0, 1, 100)};
-    const RingAverage average(frame,
-                              {{0, 10}, {0, 0}, 1, "sliced", {}, {"contact_angle_histogram"}, {0, 0, 4}});
-    for (const char* bin : {"1", "2", "3", "4"})
-      EXPECT_EQ(average.at(std::string("contact_angle_bin_") + bin), 0.25) << bin;
-  }
-}
-
-// Disc 1 sees the contact 3 degrees above e_r (bin 3 of 4: 0 to 90), disc 2 from the other side, 1 degree
-// lower since its e_r is turned: at -178 degrees (bin 1). Both discs are whole in the ring: half each.
-TEST(RingHistogram, CountsEachContactFromBothDiscs) {
-  Frame frame;
-  frame.particles = {make_disc(1, {3, 0}, 1), make_disc(2, {4.9, 0.1}, 1)};
-  frame.contacts = {make_contact(frame, 0, 1, 100)};
-  const RingAverage average(frame,
-                            {{0, 10}, {0, 0}, 1, "sliced", {}, {"contact_angle_histogram"}, {0, 0, 4}});
-  EXPECT_EQ(average.at("contact_angle_bin_3"), 0.5);
-  EXPECT_EQ(average.at("contact_angle_bin_1") + average.at("contact_angle_bin_4"), 0.5);
-  EXPECT_EQ(average.at("contact_angle_bin_2"), 0);
-}
-
 }  // namespace
 }  // namespace mikromakro

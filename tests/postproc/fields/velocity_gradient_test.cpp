@@ -5,29 +5,19 @@
 
 #include <cmath>
 
-#include "fields/velocity_gradient_fit.h"
 #include "measured_error.h"
+#include "solved_rings.h"
 
 namespace mikromakro {
 namespace {
 
 constexpr double rounding = 1e-12;
 
-// Columns of a field whose numbers are (v_r, v_phi, spin) of rings at r.
-Rows solve(const Field& field, const Eigen::ArrayXd& r, const Eigen::ArrayXd& v, int columns) {
-  Rows numbers = Rows::Zero(r.size(), 3);
-  numbers.col(1) = v;
-  numbers.col(2) = 0.5;
-  Rows solved(r.size(), columns);
-  field.solve({r, 1, r}, numbers, solved);
-  return solved;
-}
-
 // v = 3 - 2 r + 0.5 r^2 on rings of different widths: dv/dr = r - 2 everywhere, also at both ends.
 TEST(VelocityGradient, ParabolasAreExactOnRingsOfAnyWidth) {
   const Eigen::ArrayXd r{{1.0, 1.3, 2.1, 2.2, 4.0}};
   const Eigen::ArrayXd v = 3 - 2 * r + 0.5 * r.square();
-  const Rows solved = solve(VelocityGradient(), r, v, 3);
+  const Rows solved = solve_rings(VelocityGradient(), r, v, 3);
   for (Eigen::Index i = 0; i < r.size(); ++i) {
     expect_measured(solved(i, 0), 0.5 * (r[i] - 2 - v[i] / r[i]), rounding);
     expect_measured(solved(i, 1), 0.5 * (r[i] - 2 + v[i] / r[i]), rounding);
@@ -38,7 +28,7 @@ TEST(VelocityGradient, ParabolasAreExactOnRingsOfAnyWidth) {
 // A rigid turn v = 0.5 r: D = 0, W = 0.5, and discs that spin with it have no excess.
 TEST(VelocityGradient, RigidRotationDoesNotDeform) {
   const Eigen::ArrayXd r{{1.0, 2.0, 4.0}};
-  const Rows solved = solve(VelocityGradient(), r, 0.5 * r, 3);
+  const Rows solved = solve_rings(VelocityGradient(), r, 0.5 * r, 3);
   for (Eigen::Index i = 0; i < r.size(); ++i) {
     expect_measured(solved(i, 0), 0, rounding);
     expect_measured(solved(i, 1), 0.5, rounding);
@@ -66,22 +56,6 @@ TEST(VelocityGradient, IsNanForOneRingAndBesideEmptyRings) {
       slopes(Eigen::ArrayXd{{1, 2, 3, 4, 5, 6}}, Eigen::ArrayXd{{1, 2, std::nan(""), 4, 5, 6}});
   EXPECT_TRUE(std::isnan(slope[1]) && std::isnan(slope[2]) && std::isnan(slope[3]));
   EXPECT_EQ(slope[4], 1);
-}
-
-// The paper's fit: v0 = 0.645 * 0.1 * 0.1032, s = 12.7 mm gives D = -0.294 1/s, W = -0.230 1/s at R_i by Eq.
-// 9 (docs/conventions.md). Three digits are known.
-TEST(VelocityGradientFit, ProfileOfThePaperGivesItsRates) {
-  const Eigen::ArrayXd r = Eigen::ArrayXd::LinSpaced(20, 0.1032, 0.18);
-  const Rows solved =
-      solve(VelocityGradientFit(), r, 0.645 * 0.1 * 0.1032 * (-(r - 0.1032) / 0.0127).exp(), 2);
-  EXPECT_NEAR(solved(0, 0), -0.294, 0.0005);
-  EXPECT_NEAR(solved(0, 1), -0.230, 0.0005);
-}
-
-// No exponential through a profile that grows.
-TEST(VelocityGradientFit, IsNanWithoutADecayingProfile) {
-  const Eigen::ArrayXd r{{1.0, 2.0, 3.0, 4.0}};
-  EXPECT_TRUE(std::isnan(solve(VelocityGradientFit(), r, r.exp(), 2)(0, 0)));
 }
 
 }  // namespace
