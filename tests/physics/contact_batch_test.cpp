@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The batch of pairs against the scalar law pair by pair: every combination of effects, every number of
 // pairs, every width of vectors that the processor has.
-#include "physics/contact_batch.h"
+#include "physics/contact/contact_batch.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "physics/contact_energy.h"
+#include "physics/contact/contact_energy.h"
 
 namespace mikromakro::physics {
 namespace {
