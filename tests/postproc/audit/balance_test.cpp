@@ -7,6 +7,7 @@
 #include "audit/contact_balance.h"
 #include "audit/normal_forces.h"
 #include "audit/ring_balance.h"
+#include "averaging/volumes/ring_volumes.h"
 #include "measured_error.h"
 #include "ring_average.h"
 
@@ -52,6 +53,25 @@ TEST(ContactBalance, TorqueOnTheWheelAsWorkedByHand) {
   nothing.add(frame);
   EXPECT_TRUE(std::isnan(nothing.wheel_torque()));
   EXPECT_TRUE(std::isnan(nothing.force_residual()));
+}
+
+// Edges of 0.1032 + k 0.0075 are rounded: the distance of the second ring from the first edge is below
+// 0.0075.
+TEST(RingBalances, AMarginOfOneRingLeavesOutOneOnEitherSide) {
+  constexpr int count = 10;
+  Table table;
+  for (const char* name : {"r_inner", "r_outer", "r", "sigma_rr", "sigma_phiphi", "sigma_phir"})
+    table.columns.push_back({name, "", "-", ""});
+  table.rows = Rows::Zero(count, 6);
+  const std::vector<double> edges = equal_ring_edges(0.1032, 0.1782, count);
+  for (int i = 0; i < count; ++i) {
+    table.rows(i, 0) = edges[static_cast<std::size_t>(i)];
+    table.rows(i, 1) = edges[static_cast<std::size_t>(i) + 1];
+    table.rows(i, 2) = (table.rows(i, 0) + table.rows(i, 1)) / 2;
+  }
+  const std::vector<RingBalance> rings = ring_balances(table, 0.006, 0.0075);
+  for (int i = 0; i < count; ++i)
+    EXPECT_EQ(rings[static_cast<std::size_t>(i)].counts, i > 0 && i < count - 1) << i;
 }
 
 // The same pair around the corner of a periodic box of 10 m: the free disc at x = 5 is at -5 or 15, and 20 m
