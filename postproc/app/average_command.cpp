@@ -97,7 +97,7 @@ Task task_of(const CommandOptions& options, const Ranks& ranks) {
 
 void write(const CommandOptions& options, const Task& task, const Averaged& averaged) {
   Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " average"}};
-  describe_input(options.input, task.source, lines);
+  describe_input(options.input, task.source, averaged.runs.size(), lines);
   if (task.blocks) task.blocks->commit(csv_text(lines, block_table(*task.averager, averaged.sums)));
   const BlockErrors errors =
       write_averages(task.options, *task.averager, averaged, std::move(lines), *task.outputs);

@@ -152,7 +152,7 @@ Comparison compare(const CompareOptions& options, const Task& task, const Rows& 
 
 Preamble preamble_of(const CompareOptions& options, const Task& task, const Averaged& averaged) {
   Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " compare"}};
-  describe_input(options.input, task.source, lines);
+  describe_input(options.input, task.source, averaged.runs.size(), lines);
   describe_fields(task.fields, lines);
   describe_frames(averaged, lines);
   describe_volumes(task.volumes, lines, false);

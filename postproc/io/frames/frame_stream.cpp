@@ -120,6 +120,20 @@ std::vector<Run> FrameSource::runs() const {
   return all;
 }
 
+FrameSource FrameSource::one_run(std::size_t run) const {
+  const Run files = runs()[run];
+  FrameSource one = *this;
+  one.particle_files = files.particle_files;
+  one.contact_files = files.contact_files;
+  one.snapshot_files = files.snapshot_files;
+  one.wall_files = files.wall_files;
+  one.further_runs.clear();
+  one.selection = {};
+  one.of_all_ranks.reset();
+  one.notes = std::make_shared<Notes>();
+  return one;
+}
+
 std::vector<std::string> FrameSource::files() const {
   std::vector<std::string> all;
   for (const Run& run : runs())
