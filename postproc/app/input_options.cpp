@@ -95,6 +95,8 @@ FrameSource frame_source(const InputOptions& options) {
                     "HDF5 snapshots hold their contacts", "--contacts beside --particles only", "both");
   if (options.walls.empty() && !options.wall_columns.empty())
     throw bad_input({"--wall-contact-columns"}, "columns of no file", "--wall-contacts beside it", "none");
+  if (options.distant_contacts && !has_snapshots(options) && !options.any_contacts())
+    throw bad_input({"--distant-contacts"}, "there is no dump of contacts", "--contacts", "none");
   check_columns(options);
   FrameSource source;
   std::vector<Run> runs = has_snapshots(options) ? snapshot_runs(options) : dump_runs(options);
