@@ -303,8 +303,8 @@ void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>
   if (along > 0.5 * all)
     throw bad_input(
         rows.place(0),
-        by_xi ? "xi has the sign of the tangential forces on the whole: no springs (forces in this "
-                "column? slip of disc 2 against disc 1?)"
+        by_xi ? "xi has the sign of the tangential forces on the whole: no springs (forces in this column, "
+                "slip of disc 2 against disc 1? or forces on disc 2?)"
               : "shearx sheary point along the tangential forces: no springs",
         fmt::format("springs, which pull back (f_t = -k_t {})", by_xi ? "xi" : "shear"), "another quantity");
 }
