@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -7,6 +10,7 @@
 #include "app/coverage.h"
 #include "app/run_constants.h"
 #include "app/warnings.h"
+#include "model/error.h"
 
 namespace mikromakro {
 namespace {
@@ -15,8 +19,25 @@ bool of_rings(const VolumeOptions& volumes) {
   return !volumes.rings.empty() || !volumes.edges.empty();
 }
 
+void check_in_one_list(const AuditOptions& options) {
+  const std::vector<int>& bulk = options.volumes.bulk_types;
+  for (const int type : options.wheel_types)
+    if (std::find(bulk.begin(), bulk.end(), type) != bulk.end())
+      throw bad_input({"--wheel-types"}, "discs of the wheel are walls and are not averaged",
+                      "types that are not in --bulk-types", fmt::format("{} in both", type));
+}
+
+// Without --bulk-types all discs are averaged: the wheel would be a part of the packing in the stresses, but
+// not in its own torque.
+void check_wheel_is_no_bulk(const AuditOptions& options) {
+  if (!options.wheel_types.empty() && options.volumes.bulk_types.empty())
+    throw bad_input({"--wheel-types"}, "the discs of the wheel would be averaged, too",
+                    "--bulk-types beside it, without those of the wheel", "none");
+}
+
 // Completes the options from the files, and checks that what they ask for exists.
 void complete(AuditOptions& options) {
+  check_in_one_list(options);
   const FrameSource source = frame_source(options.input);
   take_height(source, options.volumes.height);
   if (options.volumes.height == 0) options.units = {"N/m", "m^2"};
@@ -28,6 +49,7 @@ void complete(AuditOptions& options) {
   VolumeOptions volumes = options.volumes;
   volumes.weight = "sliced";
   check_before(source, volumes, of_rings(volumes) ? options.wheel_types : std::vector<int>());
+  if (of_rings(volumes)) check_wheel_is_no_bulk(options);
   tell(*source.notes);
 }
 

@@ -2,6 +2,7 @@
 #include "app/audit_input.h"
 
 #include "app/progress.h"
+#include "app/runs_used.h"
 #include "app/warnings.h"
 #include "io/files/file_list.h"
 #include "model/error.h"
@@ -39,9 +40,15 @@ std::int64_t read_frames(const FrameSource& source, bool quiet,
   FrameStream stream(source);
   Frame frame;
   std::int64_t frames = 0;
+  RunsUsed runs(1 + source.further_runs.size());
   while (stream.next(frame)) {
     take(frame);
+    runs.add(frame.run);
     progress.update(stream.bytes_read(), ++frames);
+  }
+  if (frames > 0) {
+    note_unused_runs(source, runs);
+    note_unlike_runs(source);
   }
   tell(*source.notes);
   if (frames == 0) throw source.no_frame_selected();

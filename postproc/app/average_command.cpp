@@ -81,6 +81,7 @@ Task task_of(const CommandOptions& options, const Ranks& ranks) {
   take_stiffness(files, volumes.bulk_types, task.options.fields);
   compare_friction(files, task.options.fields.numbers.friction_coefficient);
   task.averager = make_averager(task.options);
+  check_use(options.average.volumes, *task.averager);
   // The block table holds the numbers again, as values and as text.
   const double copies = options.blocks.empty() ? 1 : 5;
   check_memory({static_cast<double>(task.averager->volume_count() * task.averager->sum_count()),
@@ -97,7 +98,7 @@ Task task_of(const CommandOptions& options, const Ranks& ranks) {
 
 void write(const CommandOptions& options, const Task& task, const Averaged& averaged) {
   Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " average"}};
-  describe_input(options.input, task.source, lines);
+  describe_input(options.input, task.source, averaged.runs.size(), lines);
   if (task.blocks) task.blocks->commit(csv_text(lines, block_table(*task.averager, averaged.sums)));
   const BlockErrors errors =
       write_averages(task.options, *task.averager, averaged, std::move(lines), *task.outputs);

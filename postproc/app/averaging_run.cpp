@@ -8,6 +8,7 @@
 #include "app/coverage.h"
 #include "app/plausible_options.h"
 #include "app/progress.h"
+#include "app/runs_used.h"
 #include "app/warnings.h"
 #include "averaging/repeated_frames.h"
 #include "io/files/file_list.h"
@@ -17,12 +18,15 @@
 namespace mikromakro {
 namespace {
 
-// Checks on rank 0 that everything requested was found.
+// Checks on rank 0 that everything requested was found, in each of the runs.
 void check_found(const FrameSource& source, const VolumeOptions& volumes, const TypesSeen& types,
-                 const Averaged& averaged) {
+                 const Averaged& averaged, const RunsUsed& runs) {
   if (averaged.sums.frames() == 0) throw source.no_frame_selected();
   check_types(source, "--bulk-types", types);
   if ((averaged.sums.mean() == 0).all()) check_coverage(source, volumes);
+  note_unused_runs(source, runs);
+  note_unlike_runs(source);
+  if (runs.any_zero()) note_empty_frames(source, volumes, runs.all_zero());
 }
 
 // Detects pieces of one run that were given as several runs.
@@ -61,7 +65,7 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
   std::int64_t all_bytes = 0;
   ranks.agree([&] { all_bytes = total_size(source.files()); });
   Progress progress(all_bytes, options.quiet || !ranks.first());
-  Averaged averaged{std::move(sums), {}};
+  Averaged averaged{std::move(sums), {}, {}};
   std::atomic<std::int64_t> bytes = 0;
   TypesSeen types(volumes.bulk_types);
   const SumFrame look_and_sum = [&](const Frame& frame) {
@@ -81,6 +85,7 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
     };
     sum_in_order(next, look_and_sum, threads_of(options, ranks), take);
   };
+  RunsUsed runs(1 + source.further_runs.size());
   RepeatedFrames repeated;
   Continuations continuations;
   ranks.gather_in_order(read_and_sum, [&](const FrameSums& frame) {
@@ -93,12 +98,13 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
           "run? "
           "all files behind one --particles)",
           frame.step);
+    runs.add(frame.run, (frame.sums == 0).all());
     averaged.add(frame.step, frame.sums, frame.run);
     progress.update(bytes, averaged.sums.frames());
   });
   ranks.gather(*source.notes);
   ranks.agree([&] {
-    if (ranks.first()) check_found(source, volumes, types, averaged);
+    if (ranks.first()) check_found(source, volumes, types, averaged, runs);
   });
   if (ranks.first()) tell(*source.notes);
   return averaged;

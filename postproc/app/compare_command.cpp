@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/comparison_report.h"
 #include "app/memory_need.h"
+#include "app/plausible_options.h"
 #include "app/run_constants.h"
 #include "io/files/output_file.h"
 #include "model/error.h"
@@ -110,6 +111,7 @@ Task task_of(const CompareOptions& options, const Ranks& ranks) {
       add_averager(options, each, task);
     }
   }
+  check_use(options.volumes, *task.averagers.front());
   task.source.notes = files.notes;
   check_memory(memory_need(options, task, ranks), volume_option(task.volumes));
   if (!options.out.empty() && !options.out.ends_with(".csv"))
@@ -152,7 +154,7 @@ Comparison compare(const CompareOptions& options, const Task& task, const Rows& 
 
 Preamble preamble_of(const CompareOptions& options, const Task& task, const Averaged& averaged) {
   Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " compare"}};
-  describe_input(options.input, task.source, lines);
+  describe_input(options.input, task.source, averaged.runs.size(), lines);
   describe_fields(task.fields, lines);
   describe_frames(averaged, lines);
   describe_volumes(task.volumes, lines, false);

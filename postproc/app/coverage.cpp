@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <set>
 
+#include "app/runs_used.h"
 #include "drawing/picture.h"
 #include "model/error.h"
 
@@ -48,15 +50,31 @@ struct Extent {
 
 std::string place_of(const Extent& discs, const VolumeOptions& volumes) {
   if (volumes.grid.empty() && volumes.box.empty())
-    return fmt::format("where the discs are, at r = {:.6g} to {:.6g} m", discs.r.low, discs.r.high);
-  return fmt::format("where the discs are, at x = {:.6g} to {:.6g}, y = {:.6g} to {:.6g} m", discs.x.low,
-                     discs.x.high, discs.y.low, discs.y.high);
+    return fmt::format("r = {:.6g} to {:.6g} m", discs.r.low, discs.r.high);
+  return fmt::format("x = {:.6g} to {:.6g}, y = {:.6g} to {:.6g} m", discs.x.low, discs.x.high, discs.y.low,
+                     discs.y.high);
 }
 
 const std::vector<double>& numbers_of(const VolumeOptions& volumes) {
   if (!volumes.rings.empty()) return volumes.rings;
   if (!volumes.edges.empty()) return volumes.edges;
   return volumes.grid.empty() ? volumes.box : volumes.grid;
+}
+
+// What the frames of a run hold.
+struct RunContents {
+  Extent discs;  // that are averaged
+  std::set<int> types;
+  bool covered = false;
+  std::vector<std::int64_t> empty_steps;  // of frames without averaged discs
+};
+
+std::string why_empty(const RunContents& run, const VolumeOptions& volumes) {
+  if (!run.discs.r.empty())
+    return "no disc lies in any of the volumes; its discs are at " + place_of(run.discs, volumes);
+  if (run.types.empty()) return "its frames hold no disc";
+  return fmt::format("no disc is of a type of --bulk-types {}; its types are {}",
+                     fmt::join(volumes.bulk_types, ","), fmt::join(run.types, ","));
 }
 
 }  // namespace
@@ -105,9 +123,39 @@ void check_coverage(const FrameSource& source, const VolumeOptions& volumes) {
     return !covered;
   });
   if (covered) return;
-  throw bad_input({volume_option(volumes)}, "no disc lies in any of the volumes",
-                  discs.r.empty() ? "frames with discs" : place_of(discs, volumes),
-                  fmt::format("{}", fmt::join(numbers_of(volumes), " ")));
+  throw bad_input(
+      {volume_option(volumes)}, "no disc lies in any of the volumes",
+      discs.r.empty() ? "frames with discs" : "where the discs are, at " + place_of(discs, volumes),
+      fmt::format("{}", fmt::join(numbers_of(volumes), " ")));
+}
+
+void note_empty_frames(const FrameSource& source, const VolumeOptions& volumes,
+                       const std::set<std::int64_t>& suspects) {
+  const auto averager = make_averager(volumes, make_fields({"solid_fraction"}));
+  std::map<std::int64_t, RunContents> runs;
+  for_each_frame(source, [&](const Frame& frame) {
+    RunContents& run = runs[frame.run];
+    bool empty = true;
+    for (const Particle& particle : frame.particles) {
+      run.types.insert(particle.type);
+      empty = empty && !is_averaged(particle, volumes.bulk_types);
+    }
+    run.discs.add(frame, volumes);
+    if (empty) run.empty_steps.push_back(frame.step);
+    if (!run.covered && suspects.count(frame.run) != 0)
+      run.covered = (averager->frame_sums(frame) != 0).any();
+    return true;
+  });
+  for (const auto& [number, run] : runs) {
+    if (suspects.count(number) != 0 && !run.covered) {
+      source.notes->add(fmt::format("{}: {}: its frames count as empty volumes",
+                                    run_name(source, static_cast<std::size_t>(number)),
+                                    why_empty(run, volumes)));
+      continue;
+    }
+    for (const std::int64_t step : run.empty_steps)
+      source.notes->add("frames hold no disc that is averaged, and count as empty volumes", step);
+  }
 }
 
 void check_before(FrameSource source, const VolumeOptions& volumes, const std::vector<int>& wheel_types) {

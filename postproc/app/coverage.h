@@ -3,7 +3,9 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -34,6 +36,12 @@ void check_types(const FrameSource& source, std::string_view option, const Types
 /// For averages whose sums are all zero: throws if the volumes contain no part of any averaged disc, and
 /// reports where the discs are. Re-reads the frames up to the first that is not empty.
 void check_coverage(const FrameSource& source, const VolumeOptions& volumes);
+
+/// For averages of which some frames have sums that are all zero: notes each of the `suspects` (runs, from 0)
+/// without a disc in any of the volumes, or without a disc of the averaged types, and frames without discs in
+/// other runs. All of these count in averages as empty volumes. Re-reads the frames.
+void note_empty_frames(const FrameSource& source, const VolumeOptions& volumes,
+                       const std::set<std::int64_t>& suspects);
 
 /// Both checks, for the averaged discs and those of the wheel, before the main pass: reads up to the first
 /// frame that contains everything.

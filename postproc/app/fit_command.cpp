@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <set>
 
 #include "app/commands.h"
 #include "app/fit_report.h"
@@ -56,6 +57,16 @@ void check_rings(const CsvTable& table) {
   tell(notes);
 }
 
+// Without edges, a row that is there twice is one with the radius of another.
+void check_radii_differ(const CsvTable& table) {
+  const Eigen::ArrayXd r = table.column("r");
+  std::set<double> radii;
+  for (Eigen::Index i = 0; i < r.size(); ++i)
+    if (!radii.insert(r[i]).second)
+      throw bad_input(table.row_place(i), "a radius is there twice", "each ring once",
+                      fmt::format("{}", r[i]));
+}
+
 CsvTable ring_table(const std::string& file) {
   CsvTable table(file);
   if (table.has("block") && table.has("frames"))
@@ -68,6 +79,7 @@ CsvTable ring_table(const std::string& file) {
                     "rings, as of average --rings without --sectors", "phi_begin");
   if (table.rows() == 0) throw bad_input({file}, "the table is empty", "rows of numbers", "none");
   check_rings(table);
+  check_radii_differ(table);
   return table;
 }
 
@@ -76,10 +88,30 @@ RingProfile profile_of(const CsvTable& table, const FitOptions& options) {
   RingProfile profile{"", table.column("r"), table.column(options.column), {}};
   if (options.files.size() > 1) profile.name = table.file();
   if (options.weights == "errors" || table.has(error)) profile.error = table.column(error);
+  for (Eigen::Index i = 0; i < profile.error.size(); ++i)
+    if (profile.error[i] < 0)
+      throw bad_input(table.row_place(i), fmt::format("{} is negative", error), "a standard error, or nan",
+                      fmt::format("{}", profile.error[i]));
   if (options.weights == "errors" && !profile.error.isFinite().any())
     throw bad_input({"--weights"}, fmt::format("{} is nan in all rows of {}", error, table.file()),
                     "errors (more frames, see docs/manual/errors.md), or --weights none", "none");
   return profile;
+}
+
+// A further table is another average of the same profile.
+void check_comparable(const CsvTable& table, const CsvTable& first, const std::string& column) {
+  for (const std::string& name : {std::string("r"), column}) {
+    const std::string unit = table.unit(name), right = first.unit(name);
+    if (!unit.empty() && !right.empty() && unit != right)
+      throw bad_input({table.file()}, fmt::format("{} has another unit than in {}", name, first.file()),
+                      right, unit);
+  }
+  const Eigen::ArrayXd r = table.column("r"), there = first.column("r");
+  if (r.minCoeff() > there.maxCoeff() || r.maxCoeff() < there.minCoeff())
+    throw bad_input({table.file()},
+                    fmt::format("the rings are elsewhere than those of {} (m or mm?)", first.file()),
+                    fmt::format("some of r = {:.6g} to {:.6g} m", there.minCoeff(), there.maxCoeff()),
+                    fmt::format("{:.6g} to {:.6g}", r.minCoeff(), r.maxCoeff()));
 }
 
 FitWay way_of(const FitOptions& options) {
@@ -151,6 +183,7 @@ FitReport fit_files(const FitOptions& options) {
   std::vector<RingProfile> profiles;
   for (const std::string& file : options.files) {
     tables.push_back(ring_table(file));
+    check_comparable(tables.back(), tables.front(), options.column);
     profiles.push_back(profile_of(tables.back(), options));
   }
   const CsvTable& table = tables.front();
@@ -194,7 +227,7 @@ void add_fit_command(CLI::App& program) {
   CLI::Option* range = app->add_option("--range", options->range, "R1 R2: rings with R1 <= r <= R2 only (m)")
                            ->expected(2)
                            ->allow_extra_args(false);
-  app->add_option("--ri", options->ri, "R_i (m), default r_inner of the first ring");
+  app->add_option("--ri", options->ri, "R_i (m), default r_inner of the first ring")->check(positive());
   app->add_option("--omega", options->omega, "rate of rotation of the wheel (rad/s), for v0/(Omega R_i)");
   app->add_flag("--json", options->json, "print JSON");
   app->callback([=] {

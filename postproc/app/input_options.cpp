@@ -95,6 +95,8 @@ FrameSource frame_source(const InputOptions& options) {
                     "HDF5 snapshots hold their contacts", "--contacts beside --particles only", "both");
   if (options.walls.empty() && !options.wall_columns.empty())
     throw bad_input({"--wall-contact-columns"}, "columns of no file", "--wall-contacts beside it", "none");
+  if (options.distant_contacts && !has_snapshots(options) && !options.any_contacts())
+    throw bad_input({"--distant-contacts"}, "there is no dump of contacts", "--contacts", "none");
   check_columns(options);
   FrameSource source;
   std::vector<Run> runs = has_snapshots(options) ? snapshot_runs(options) : dump_runs(options);
@@ -149,9 +151,12 @@ void reading_again(InputOptions& options, const std::function<void()>& read) {
   read();
 }
 
-void describe_input(const InputOptions& options, const FrameSource& source, Preamble& lines) {
+void describe_input(const InputOptions& options, const FrameSource& source, std::size_t used_runs,
+                    Preamble& lines) {
   const std::vector<Run> runs = source.runs();
-  if (runs.size() > 1) lines.emplace_back("runs", fmt::format("{}, one after the other", runs.size()));
+  const std::string of_these = used_runs < runs.size() ? fmt::format(", frames of {}", used_runs) : "";
+  if (runs.size() > 1)
+    lines.emplace_back("runs", fmt::format("{}, one after the other{}", runs.size(), of_these));
   for (const Run& run : runs) {
     for (const std::string& file : run.snapshot_files) lines.emplace_back("snapshots", file);
     for (const std::string& file : run.particle_files) lines.emplace_back("particles", file);

@@ -41,6 +41,7 @@ FrameSource source_of(const InputOptions& options, const Averager& averager);
 void reading_again(InputOptions& options, const std::function<void()>& read);
 
 /// Header lines of a table: the inputs and how they were read.
-void describe_input(const InputOptions& options, const FrameSource& source, Preamble& lines);
+void describe_input(const InputOptions& options, const FrameSource& source, std::size_t used_runs,
+                    Preamble& lines);
 
 }  // namespace mikromakro

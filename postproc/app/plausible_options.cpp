@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "model/error.h"
+
 namespace mikromakro {
 namespace {
 
@@ -69,6 +71,17 @@ void note_extent(const Frame& frame, const VolumeOptions& volumes, Notes& notes)
 }
 
 }  // namespace
+
+void check_use(const VolumeOptions& given, const Averager& averager) {
+  if (!given.branch.empty() && !averager.uses_branches())
+    throw bad_input(
+        {"--branch"}, "none of the fields takes it",
+        "stress, elastic_strain, couple_stress, curvature or what follows from them among --fields",
+        in_quotes(given.branch));
+  if (given.height > 0 && !averager.uses_height())
+    throw bad_input({"--height"}, "none of the fields takes it",
+                    "stresses or what follows from them among --fields", fmt::format("{}", given.height));
+}
 
 void note_volumes(const Frame& frame, const VolumeOptions& volumes, Notes& notes) {
   note_height(frame, volumes.height, notes);

@@ -59,6 +59,9 @@ class Averager {
   ColumnSet particles_needed() const;
   ColumnSet contacts_needed() const;
   bool needs_contacts() const;
+  /// Whether any field has to do with branch vectors, or any column with the height.
+  bool uses_branches() const;
+  bool uses_height() const;
 
   /// The branch vector in use, never by_weight.
   Branch branch() const { return branch_; }

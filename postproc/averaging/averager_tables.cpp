@@ -130,4 +130,18 @@ bool Averager::needs_contacts() const {
                      [](const ListedField& listed) { return listed.field->needs_contacts(); });
 }
 
+bool Averager::uses_branches() const {
+  return std::any_of(fields_.begin(), fields_.end(), [](const ListedField& listed) {
+    return listed.field->contact_place() != ContactPlace::disc;
+  });
+}
+
+bool Averager::uses_height() const {
+  const auto by_height = [](const Column& column) { return unit_without_height(column.unit) != column.unit; };
+  return std::any_of(fields_.begin(), fields_.end(), [&](const ListedField& listed) {
+    const std::vector<Column> columns = listed.field->columns(volumes_->axes());
+    return listed.shown && std::any_of(columns.begin(), columns.end(), by_height);
+  });
+}
+
 }  // namespace mikromakro

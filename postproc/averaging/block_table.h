@@ -21,7 +21,8 @@ struct ColumnWithoutBlocks {
 };
 
 /// Extracts a column from such a table read from a file. Throws if it is not one, or if its block 0 differs
-/// from `table`: its blocks then belong to other frames, volumes or options.
+/// from `table`: its blocks then belong to other frames, volumes or options; if the rings of any block do, if
+/// runs are mixed, or if the mean of the blocks is not that of all frames in most of the volumes.
 ColumnWithoutBlocks column_without_blocks(const CsvTable& blocks, const std::string& column,
                                           const CsvTable& table);
 

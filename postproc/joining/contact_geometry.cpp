@@ -285,12 +285,14 @@ class Joiner {
   bool with_places_ = false, with_components_ = false;
 };
 
-/// Springs pull back: -f_t xi > 0. A tangential force in their columns does not, which shows in a frame with
-/// many contacts.
-void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>& contacts) {
+/// Springs pull back: -f_t xi > 0. A tangential force in their columns does not, nor the slip of 2 against 1,
+/// which shows in a frame with many contacts; a dashpot beside the spring turns f_t round in some of them.
+void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>& contacts, bool closely) {
   constexpr std::size_t enough = 20;
-  if ((rows.given & column_set(shearx, sheary)) != column_set(shearx, sheary) || contacts.size() < enough)
-    return;
+  constexpr ColumnSet shear = column_set(shearx, sheary);
+  const bool by_xi = (rows.given & column_set(xi)) != 0;
+  const bool given = by_xi ? closely : (rows.given & shear) == shear;
+  if (!given || contacts.size() < enough) return;
   double along = 0, all = 0;
   for (const Contact& contact : contacts) {
     const double work = contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x())) * contact.spring;
@@ -299,8 +301,12 @@ void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>
     all += std::abs(work);
   }
   if (along > 0.5 * all)
-    throw bad_input(rows.place(0), "shearx sheary point along the tangential forces: no springs",
-                    "springs, which pull back (f_t = -k_t shear)", "another quantity");
+    throw bad_input(
+        rows.place(0),
+        by_xi ? "xi has the sign of the tangential forces on the whole: no springs (forces in this column, "
+                "slip of disc 2 against disc 1? or forces on disc 2?)"
+              : "shearx sheary point along the tangential forces: no springs",
+        fmt::format("springs, which pull back (f_t = -k_t {})", by_xi ? "xi" : "shear"), "another quantity");
 }
 
 }  // namespace
@@ -321,7 +327,7 @@ std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& 
     deep += joiner.is_deep(contact) ? 1 : 0;
   }
   check_pairs(contacts, row_of, rows, discs.particles, discs.box);
-  check_springs_pull_back(rows, contacts);
+  check_springs_pull_back(rows, contacts, rules.closely);
   const auto left_out = static_cast<std::int64_t>(rows.rows.size() - contacts.size());
   if (rules.notes == nullptr) return contacts;
   if (left_out > 0)

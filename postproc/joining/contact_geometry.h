@@ -24,6 +24,7 @@ struct ContactRules {
   Notes* notes = nullptr;
   std::int64_t step = Notes::whole;
   std::vector<int> averaged_types = {};  ///< contacts of others may be missing; empty: none may
+  bool closely = true;                   ///< with the checks that not every frame has to pass
 };
 
 /// Joins the contacts of one frame.
@@ -38,10 +39,10 @@ struct ContactRules {
 ///
 /// Throws on: an id without a particle; positions, normal, overlap or distance of a row that disagree with
 /// its discs beyond the precision of the files; a force between discs that do not touch, unless the rules
-/// allow it; periodic = 1 for discs that are far apart in a non-periodic box; a disc in contact with itself
-/// other than through a periodic boundary; discs that may touch through two images if the row does not say
-/// which; a wall contact without normal or positions; two centres at the same point; and on everything that
-/// check_pairs throws on.
+/// allow it; springs that push along with the tangential forces of most contacts (xi: if `closely`); periodic
+/// = 1 for discs that are far apart in a non-periodic box; a disc in contact with itself other than through a
+/// periodic boundary; discs that may touch through two images if the row does not say which; a wall contact
+/// without normal or positions; two centres at the same point; and on everything that check_pairs throws on.
 std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& discs,
                                    const ContactRules& rules = {});
 

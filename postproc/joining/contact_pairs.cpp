@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -30,8 +32,10 @@ std::pair<std::int64_t, std::int64_t> pair_of(const Contact& contact) {
   return {std::min(contact.id1, contact.id2), std::max(contact.id1, contact.id2)};
 }
 Eigen::Vector2d ordered_normal(const Contact& contact) {
-  // For a disc that touches its own image, both sides are one contact.
-  const bool upwards = contact.normal.x() > 0 || (contact.normal.x() == 0 && contact.normal.y() > 0);
+  // For a disc that touches its own image, both sides are one contact. Along y, nx is rounding and has any
+  // sign.
+  const bool along_y = std::abs(contact.normal.x()) < same_image;
+  const bool upwards = along_y ? contact.normal.y() > 0 : contact.normal.x() > 0;
   const bool as_it_is = contact.id1 == contact.id2 ? upwards : contact.id1 < contact.id2;
   return as_it_is ? contact.normal : Eigen::Vector2d(-contact.normal);
 }
@@ -59,10 +63,37 @@ bool all_pairs_differ(const std::vector<Contact>& contacts) {
   return true;
 }
 
+// A dump of contacts may hold walls itself, perhaps the very ones of the separate file, by another name.
+void check_walls_differ(const std::vector<Contact>& contacts, const std::vector<std::size_t>& row_of,
+                        const ContactRows& rows, const std::vector<Particle>& discs) {
+  std::multimap<int, std::size_t> own;  // by disc
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (contacts[k].with_wall() && !rows.of_wall_file(row_of[k])) own.emplace(contacts[k].index1, k);
+  for (std::size_t k = 0; k < contacts.size() && !own.empty(); ++k) {
+    const Contact& contact = contacts[k];
+    if (!rows.of_wall_file(row_of[k])) continue;
+    const double radius = discs[static_cast<std::size_t>(contact.index1)].radius;
+    for (auto [at, end] = own.equal_range(contact.index1); at != end; ++at) {
+      const Contact& other = contacts[at->second];
+      if ((contact.normal - other.normal).norm() > same_side ||
+          std::abs(contact.overlap - other.overlap) > same_side * radius)
+        continue;
+      const Place place = rows.place(row_of[at->second]);
+      throw bad_input(
+          rows.place(row_of[k]),
+          fmt::format("the contact of disc {} with a wall is in --contacts and in --wall-contacts",
+                      contact.id1),
+          "each contact once (leave the walls out of one of them)",
+          fmt::format("wall {} as wall {} in {}:{}", contact.id2, other.id2, place.file, place.line));
+    }
+  }
+}
+
 }  // namespace
 
 void check_pairs(const std::vector<Contact>& contacts, const std::vector<std::size_t>& row_of,
                  const ContactRows& rows, const std::vector<Particle>& discs, const Box& box) {
+  if (!rows.wall_file.empty()) check_walls_differ(contacts, row_of, rows, discs);
   if (all_pairs_differ(contacts)) return;
   const BranchImages images(box);
   std::vector<std::size_t> order(contacts.size());

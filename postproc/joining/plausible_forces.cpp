@@ -21,9 +21,11 @@ struct Push {
   }
 };
 
-Push push_of(const std::vector<Contact>& contacts, std::size_t stride) {
+Push push_of(const std::vector<Contact>& contacts, std::size_t stride, bool of_walls) {
   Push push;
-  for (std::size_t i = 0; i < contacts.size(); i += stride, ++push.count) {
+  for (std::size_t i = 0; i < contacts.size(); i += stride) {
+    if (contacts[i].with_wall() != of_walls) continue;
+    ++push.count;
     push.pushing -= contacts[i].force.dot(contacts[i].normal);
     push.all += contacts[i].force.norm();
   }
@@ -35,16 +37,24 @@ Push push_of(const std::vector<Contact>& contacts, std::size_t stride) {
 void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules) {
   if (rules.notes == nullptr || contacts.empty()) return;
   constexpr std::size_t enough = 64;
-  const Push some = push_of(contacts, 1 + (contacts.size() - 1) / enough);
+  const Push some = push_of(contacts, 1 + (contacts.size() - 1) / enough, false);
   const bool none =
       some.all == 0 && std::all_of(contacts.begin(), contacts.end(),
                                    [](const Contact& contact) { return contact.force.isZero(0); });
   if (none) rules.notes->add("all forces are 0 though discs overlap (another column?)", rules.step);
   // A few collisions may carry most of the force, so the sample need not be representative.
-  if (some.is_none() && push_of(contacts, 1).is_none())
+  if (some.is_none() && push_of(contacts, 1, false).is_none())
     rules.notes->add(
         "contacts pull on the whole, or their forces are across (ids or columns exchanged? forces on the "
         "other disc?); without cohesion they push",
+        rules.step);
+}
+
+void note_wall_forces(const std::vector<Contact>& contacts, const ContactRules& rules) {
+  if (rules.notes != nullptr && push_of(contacts, 1, true).is_none())
+    rules.notes->add(
+        "walls pull on the whole, or their forces are across (forces on the wall? columns exchanged?); the "
+        "force is the one on the disc, and without adhesion walls push",
         rules.step);
 }
 

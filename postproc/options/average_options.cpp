@@ -51,6 +51,7 @@ TimeAverage no_sums(const AverageOptions& options, const Averager& averager) {
 void Averaged::add(std::int64_t step, const Rows& frame_sums, std::int64_t run) {
   if (sums.frames() == 0) range.first_step = step;
   range.last_step = step;
+  runs.insert(run);
   sums.add(frame_sums, run);
 }
 

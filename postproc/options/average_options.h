@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,7 @@ struct FrameRange {
 struct Averaged {
   TimeAverage sums;
   FrameRange range;
+  std::set<std::int64_t> runs = {};  ///< that the frames belong to
 
   void add(std::int64_t step, const Rows& frame_sums, std::int64_t run = 0);
 };

@@ -71,7 +71,7 @@ def velocity_file(simulation, count, weight="sliced", frames=""):
     """The velocity over rings, in a file with its blocks of frames (`blocks_of`) beside it."""
     path = rings_file(simulation, count, weight, frames).replace("rings_", "velocity_")
     if not os.path.exists(path) or not os.path.exists(blocks_of(path)):
-        run("average", simulation.snapshots, "--rings", str(R_I), str(R_O), str(count), "--height", str(HEIGHT), "--bulk-types", "1", "2", "--fields", "velocity",
+        run("average", simulation.snapshots, "--rings", str(R_I), str(R_O), str(count), "--bulk-types", "1", "2", "--fields", "velocity",
             "--weight", weight, *(["--frames", frames] if frames else []), "--quiet", "--out", path, "--blocks", blocks_of(path))
     return path
 

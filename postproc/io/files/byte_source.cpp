@@ -4,6 +4,7 @@
 #include <zlib.h>
 #include <zstd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -47,37 +48,83 @@ class PlainSource : public ByteSource {
   std::int64_t bytes_ = 0;
 };
 
+// Members are inflated one by one: gzread would drop whatever stands behind the last of them in silence.
 class GzipSource : public ByteSource {
  public:
-  explicit GzipSource(const std::string& file) : stream_(gzopen(file.c_str(), "rb")) {
-    if (!stream_) throw bad_input({file}, "cannot open the file", "a readable file", std::strerror(errno));
-    gzbuffer(stream_.get(), 1U << 18U);
+  explicit GzipSource(OpenFile file) : file_(std::move(file)), packed_(std::size_t{1} << 18U) {
+    constexpr int gzip_only = 16;
+    if (inflateInit2(&stream_, MAX_WBITS + gzip_only) != Z_OK)
+      throw Error(Error::Kind::run_failed, "no memory to inflate a gzip file");
   }
+  ~GzipSource() override { inflateEnd(&stream_); }
 
   std::size_t read(std::span<char> room, const Place& place) override {
-    const int got = gzread(stream_.get(), room.data(), static_cast<unsigned>(room.size()));
-    int code = Z_OK;
-    const char* reason = gzerror(stream_.get(), &code);
-    // zlib >= 1.3.2 reports the cut once, before it hands out the last bytes.
-    const bool cut_now = got >= 0 && code == Z_BUF_ERROR;
-    cut_ = cut_ || cut_now;
-    if (cut_now) return static_cast<std::size_t>(got);
-    if (got < 0 || (code != Z_OK && code != Z_STREAM_END)) {
-      throw bad_input(place, "cannot read on", "plain text or a complete gzip file",
-                      code == Z_ERRNO ? std::strerror(errno) : reason);
+    stream_.next_out = reinterpret_cast<Bytef*>(room.data());
+    stream_.avail_out = static_cast<uInt>(room.size());
+    while (stream_.avail_out > 0) {
+      const bool more = stream_.avail_in > 0 || refill(place);
+      if (!within_member_ && !more) break;
+      if (!within_member_ && !begin_member(place)) continue;
+      const int code = inflate(&stream_, Z_NO_FLUSH);
+      // At the end of a truncated file the decoder may still hold output.
+      if (code == Z_BUF_ERROR && !more) break;
+      if (code == Z_STREAM_END) within_member_ = false;
+      if (code != Z_OK && code != Z_STREAM_END) complain(place, code);
     }
-    return static_cast<std::size_t>(got);
+    return room.size() - stream_.avail_out;
   }
 
-  std::int64_t bytes_read() const override { return gzoffset(stream_.get()); }
-  bool cut() const override { return cut_; }
+  std::int64_t bytes_read() const override { return bytes_ - stream_.avail_in; }
+  bool cut() const override { return within_member_ && stream_.avail_in == 0 && std::feof(file_.get()) != 0; }
 
  private:
-  struct Close {
-    void operator()(gzFile stream) const { gzclose(stream); }
-  };
-  std::unique_ptr<gzFile_s, Close> stream_;
-  bool cut_ = false;
+  bool refill(const Place& place) {
+    const std::size_t got = std::fread(packed_.data(), 1, packed_.size(), file_.get());
+    if (got == 0 && std::ferror(file_.get()) != 0)
+      throw bad_input(place, "cannot read on", "a readable file", std::strerror(errno));
+    bytes_ += static_cast<std::int64_t>(got);
+    stream_.next_in = packed_.data();
+    stream_.avail_in = static_cast<uInt>(got);
+    return got > 0;
+  }
+
+  // False if all that has been read is zeros, with which tapes fill their blocks, as gzip takes it.
+  bool begin_member(const Place& place) {
+    Bytef* const end = stream_.next_in + stream_.avail_in;
+    if (members_ > 0 && *stream_.next_in == 0) padded_ = true;
+    if (padded_) {
+      Bytef* const other = std::find_if(stream_.next_in, end, [](Bytef byte) { return byte != 0; });
+      if (other != end) complain_of_rest(place, "zeros, and data behind them");
+      stream_.avail_in = 0;
+      return false;
+    }
+    constexpr Bytef first_of_mark = 0x1f;
+    if (members_ > 0 && *stream_.next_in != first_of_mark) complain_of_rest(place, "other data");
+    if (members_++ > 0) inflateReset(&stream_);
+    within_member_ = true;
+    return true;
+  }
+
+  [[noreturn]] static void complain_of_rest(const Place& place, std::string_view got) {
+    throw bad_input({place.file},
+                    "the file goes on behind its gzip data (files joined by cat: compress each, or none)",
+                    "gzip data up to the end of the file", got);
+  }
+
+  [[noreturn]] void complain(const Place& place, int code) const {
+    constexpr uLong mark = 2;
+    if (members_ > 1 && code == Z_DATA_ERROR && stream_.total_in <= mark)
+      complain_of_rest(place, "other data");
+    throw bad_input(place, "cannot read on", "plain text or a complete gzip file",
+                    stream_.msg != nullptr ? stream_.msg : zError(code));
+  }
+
+  OpenFile file_;
+  std::vector<Bytef> packed_;
+  z_stream stream_ = {};
+  std::int64_t bytes_ = 0, members_ = 0;
+  bool within_member_ = false;
+  bool padded_ = false;  ///< zeros have begun behind the last member
 };
 
 class ZstdSource : public ByteSource {
@@ -134,7 +181,7 @@ std::unique_ptr<ByteSource> open_bytes(const std::string& file) {
   std::rewind(opened.get());
   switch (packing_of({begin.data(), got})) {
     case Packing::gzip:
-      return std::make_unique<GzipSource>(file);
+      return std::make_unique<GzipSource>(std::move(opened));
     case Packing::zstd:
       return std::make_unique<ZstdSource>(std::move(opened));
     case Packing::none:

@@ -93,6 +93,7 @@ void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   frame.contacts_known = raw.with_contacts;
   frame.contacts.clear();
   rules.step = raw.step;
+  rules.closely = raw.closely;
   check_box(raw.box, {raw.particle_file, raw.first_particle_line - 1});
   note_boundaries(raw, rules.notes);
   if (raw.with_contacts)
@@ -101,6 +102,7 @@ void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   const bool without = raw.with_contacts && frame.contacts.empty();
   if ((raw.closely || without) && rules.notes != nullptr) note_overlaps(raw, frame.contacts, rules);
   note_forces(frame.contacts, rules);
+  if (raw.closely) note_wall_forces(frame.contacts, rules);
   if (raw.with_contacts) note_derived_overlaps(raw, frame.contacts, rules);
   // The rows are read anew for the next frame.
   frame.particles.swap(raw.particles);
@@ -118,6 +120,20 @@ std::vector<Run> FrameSource::runs() const {
   std::vector<Run> all = {{particle_files, contact_files, snapshot_files, wall_files}};
   all.insert(all.end(), further_runs.begin(), further_runs.end());
   return all;
+}
+
+FrameSource FrameSource::one_run(std::size_t run) const {
+  const Run files = runs()[run];
+  FrameSource one = *this;
+  one.particle_files = files.particle_files;
+  one.contact_files = files.contact_files;
+  one.snapshot_files = files.snapshot_files;
+  one.wall_files = files.wall_files;
+  one.further_runs.clear();
+  one.selection = {};
+  one.of_all_ranks.reset();
+  one.notes = std::make_shared<Notes>();
+  return one;
 }
 
 std::vector<std::string> FrameSource::files() const {

@@ -50,6 +50,8 @@ struct FrameSource {
 
   ColumnWishes wishes() const;
   std::vector<Run> runs() const;
+  /// One of the runs alone (from 0), all of its frames, with notes of its own.
+  FrameSource one_run(std::size_t run) const;
   /// The selection with non-negative indices; counts the frames if necessary.
   FrameSelection settled_selection() const;
   struct Count {

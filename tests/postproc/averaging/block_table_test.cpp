@@ -49,8 +49,20 @@ TEST(BlockTable, OfOtherFramesOrRingsIsRefused) {
             std::string::npos);
   EXPECT_NE(refusal(with("0,0,7,1,2,1.5,10\n0,0,7,2,3,2.5,3\n")).find("v_phi = nan of all frames as there"),
             std::string::npos);
-  EXPECT_NE(refusal(with("0,0,7,1,2,1.5,10\n0,0,7,2.2,3,2.5,nan\n")).find("r_inner = 2 of all"),
+  EXPECT_NE(refusal(with("0,0,7,1,2,1.5,10\n0,0,7,2.2,3,2.5,nan\n")).find("r_inner = 2 as there"),
             std::string::npos);
+}
+
+// Volume 2, whose mean is not known, is not judged.
+TEST(BlockTable, BlocksOfAnotherMeanOrOfMixedRunsAreRefused) {
+  const std::string one = "1,1,3,1,2,1.5,", two = "2,4,3,1,2,1.5,", rest1 = "\n1,1,3,2,3,2.5,21\n",
+                    rest2 = "\n2,4,3,2,3,2.5,22\n";
+  EXPECT_EQ(refusal(names + all_frames + one + "9" + rest1 + two + "10.5" + rest2), "none");
+  EXPECT_TRUE(refusal(names + all_frames + one + "-9" + rest1 + two + "-10.5" + rest2)
+                  .starts_with("blocks.csv: v_phi without each block is not that of "));
+  EXPECT_EQ(refusal(names + all_frames + "1,4,3,1,2,1.5,9\n1,4,3,2,3,2.5,9\n" +
+                    "2,1,3,1,2,1.5,10\n2,1,3,2,3,2.5,9\n"),
+            "blocks.csv:6: runs are not one after the other; expected run 4 or more, got 1");
 }
 
 TEST(BlockTable, OutOfOrderIsRefused) {

@@ -250,6 +250,34 @@ TEST(JoinContacts, AForceAlongTheNormalIsNoSpring) {
             std::string::npos);
 }
 
+// 31 discs in a row along x: t = (0, 1), f_t = f_y. Springs of k_t = 80 N/m and all signs; in every fifth
+// contact a dashpot turns f_t round.
+TEST(JoinContacts, SpringsPullBackOnTheWhole) {
+  std::vector<Particle> row;
+  for (int i = 0; i <= 30; ++i) row.push_back(disc(i + 1, 0.9 * i, 5, 0.5));
+  const auto springs = [](const auto& xi_of) {
+    ContactRows rows;
+    for (int i = 0; i < 30; ++i) {
+      const double spring = (i % 2 == 0 ? 1e-3 : -1e-3) * (1 + i), turned = i % 5 == 0 ? -0.5 : 1;
+      const double tangential = -80 * spring * turned;
+      add_row(rows, {{id1, double(i + 1)},
+                     {id2, double(i + 2)},
+                     {fx, -10},
+                     {fy, tangential},
+                     {xi, xi_of(spring, tangential)}});
+    }
+    return rows;
+  };
+  const Box box = {{-1, 0}, {40, 10}};
+  EXPECT_EQ(join_all(springs([](double spring, double) { return spring; }), row, box).size(), 30U);
+  const ContactRows of_2_against_1 = springs([](double spring, double) { return -spring; });
+  EXPECT_THROW(join_all(of_2_against_1, row, box), Error);
+  EXPECT_THROW(join_all(springs([](double, double force) { return force; }), row, box), Error);
+  ContactRules in_passing;
+  in_passing.closely = false;
+  EXPECT_EQ(join_all(of_2_against_1, row, box, in_passing).size(), 30U);
+}
+
 TEST(JoinContacts, ADiscAtAWallIsWhereTheRowSays) {
   const std::vector<Value> right = {{id1, 900}, {id2, -1}, {x1, 1}, {y1, 1},       {x2, 0.7},
                                     {y2, 1},    {nx, -1},  {ny, 0}, {overlap, 0.2}};
@@ -372,6 +400,21 @@ TEST(JoinContacts, ADiscTouchesItsImageOnce) {
     EXPECT_EQ(join_all(rows, one, box_of_ten(true)).size(), 1U);
     add_row(rows, {{id1, 1}, {id2, 1}, {nx, -1}, {ny, 0}, {overlap, 2}});
     EXPECT_THROW(join_all(rows, one, box_of_ten(true)), Error);
+  }
+}
+
+// The same along y, where nx is rounding of any sign.
+TEST(JoinContacts, ADiscTouchesItsImageOnceThoughNormalsAreRounded) {
+  const std::vector<Particle> one = {disc(1, 5, 5, 6)};
+  Box box = box_of_ten(true);
+  box.periodic = {true, true};
+  for (const double rounding : {1e-9, -1e-9, 0.0}) {
+    ContactRows rows;
+    add_row(rows, {{id1, 1}, {id2, 1}, {nx, 1e-9}, {ny, 1}, {overlap, 2}});
+    add_row(rows, {{id1, 1}, {id2, 1}, {nx, 1}, {ny, 1e-9}, {overlap, 2}});
+    EXPECT_EQ(join_all(rows, one, box).size(), 2U);
+    add_row(rows, {{id1, 1}, {id2, 1}, {nx, rounding}, {ny, -1}, {overlap, 2}});
+    EXPECT_THROW(join_all(rows, one, box), Error) << rounding;
   }
 }
 

@@ -13,6 +13,8 @@ std::vector<Contact> contacts(int count) {
   std::vector<Contact> all(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     Contact& contact = all[static_cast<std::size_t>(i)];
+    contact.id1 = 1;
+    contact.id2 = 2;
     contact.normal = {std::cos(2.4 * i), std::sin(2.4 * i)};
     const Eigen::Vector2d tangent(-contact.normal.y(), contact.normal.x());
     contact.force = -contact.normal + (i % 2 == 0 ? 0.4 : -0.4) * tangent;
@@ -45,6 +47,25 @@ TEST(PlausibleForces, DoNotPullAndAreNotAcross) {
   EXPECT_EQ(notes_of(pulling).size(), 1U);
   pulling.resize(4);  // these may
   EXPECT_TRUE(notes_of(pulling).empty());
+}
+
+TEST(PlausibleForces, OfWallsAreJudgedAlone) {
+  auto pairs_and_walls = contacts(60);
+  for (std::size_t i = 0; i < 8; ++i) pairs_and_walls[i].id2 = -1;
+  const auto notes_of_walls = [&] {
+    Notes notes;
+    note_wall_forces(pairs_and_walls, {false, &notes, 5, {}});
+    return notes.lines();
+  };
+  EXPECT_TRUE(notes_of_walls().empty());
+  for (std::size_t i = 0; i < 8; ++i) pairs_and_walls[i].force *= -1;
+  ASSERT_EQ(notes_of_walls().size(), 1U);
+  EXPECT_NE(notes_of_walls()[0].find("walls pull on the whole"), std::string::npos);
+  EXPECT_TRUE(notes_of(pairs_and_walls).empty());
+  // Nor do walls that push hide pairs that pull.
+  for (Contact& contact : pairs_and_walls) contact.force *= contact.with_wall() ? -1000 : -1;
+  EXPECT_TRUE(notes_of_walls().empty());
+  EXPECT_EQ(notes_of(pairs_and_walls).size(), 1U);
 }
 
 // In a gas a few collisions carry nearly all of the force, and the contacts that are looked at may just be
