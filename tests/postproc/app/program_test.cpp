@@ -230,7 +230,10 @@ TEST(Fit, TablesWithoutAProfileAreRefused) {
   const Ran ran = run_program("fit '" + zeros + "'");
   EXPECT_EQ(ran.code, 1);
   EXPECT_NE(ran.err.find("there is nothing to fit"), std::string::npos) << ran.err;
-  EXPECT_NE(run_program("fit good/profile.csv --ri 0 --omega 1").err.find("a wheel of no radius"),
+  const std::string centre = folder.write("c.csv", "r,r_inner,v_phi\n0.5,0,4\n1.5,1,2\n2.5,2,1\n3.5,3,0.5\n");
+  EXPECT_NE(run_program("fit '" + centre + "' --omega 1").err.find("a wheel of no radius"),
+            std::string::npos);
+  EXPECT_NE(run_program("fit good/profile.csv --ri 0").err.find("--ri: the value makes no sense"),
             std::string::npos);
 }
 
