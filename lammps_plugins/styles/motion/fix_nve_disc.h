@@ -63,7 +63,7 @@ class FixNveDisc : public FixOfEngine, public DiscIntegrator {
   double memory_usage() override;
 
   void write_restart(FILE* file) override;
-  void restart(char* buffer) override;
+  void restart(char* /*buffer*/) override {}
   int pack_restart(int i, double* buffer) override;
   void unpack_restart(int nlocal, int nth) override;
   int size_restart(int nlocal) override;

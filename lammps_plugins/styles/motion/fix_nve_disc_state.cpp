@@ -6,7 +6,6 @@
 #include "comm.h"
 #include "domain.h"
 #include "engine/engine_access.h"
-#include "engine/restart_state.h"
 #include "law/disc_law.h"
 #include "motion/fix_nve_disc.h"
 #include "update.h"
@@ -68,11 +67,9 @@ void FixNveDisc::write_restart(FILE* file) {
     if (law_) law_->keep_springs_with_atoms();
   }
   if (comm->me != 0) return;
-  write_state(file, maxsize_restart());
-}
-
-void FixNveDisc::restart(char* buffer) {
-  read_state<int>(*lmp, *this, buffer);
+  constexpr int format = 2, size = sizeof format;
+  std::fwrite(&size, sizeof size, 1, file);
+  std::fwrite(&format, sizeof format, 1, file);
 }
 
 void FixNveDisc::grow_arrays(int nmax) {
@@ -137,7 +134,11 @@ void FixNveDisc::unpack_restart(int nlocal, int nth) {
   const double* extra = atom->extra[nlocal];
   int start = 0;
   for (int k = 0; k < nth; ++k) start += static_cast<int>(extra[start]);
-  last_forces_.unpack(nlocal, extra + start + 1);
+  // Files of older versions store less of the last step: their runs continue with the forces of the set-up.
+  if (extra[start] == maxsize_restart())
+    last_forces_.unpack(nlocal, extra + start + 1);
+  else
+    last_forces_.forget(nlocal);
 }
 
 int FixNveDisc::size_restart(int /*nlocal*/) {
