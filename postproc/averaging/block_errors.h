@@ -3,9 +3,9 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 
 #include "averaging/time_average.h"
+#include "statistics/between_runs.h"
 #include "statistics/error_decision.h"
 
 namespace mikromakro {
@@ -19,10 +19,7 @@ struct FieldErrors {
   Eigen::Index series = 0;  ///< number of series that fluctuate
   CorrelationTime correlation{};
   ErrorDecision decision{};
-  /// For several runs: chi^2 per value of the run means about the overall mean, in units of the errors of
-  /// each run. 1 if runs differ as expected from their fluctuations in time, larger if packings differ. nan
-  /// for one run, and without errors.
-  double between_runs = std::numeric_limits<double>::quiet_NaN();
+  BetweenRuns between{};  ///< of several runs
 };
 
 /// One number per volume and column.
@@ -47,8 +44,10 @@ struct BlockErrors {
 /// of the decision.
 ///
 /// 2 tau is computed from the pseudo-values of all columns of a field in all volumes together
-/// (correlation_time.h), and one decision is made for the whole field (error_decision.h). Quantities that do
-/// not fluctuate, or that are undefined without some block, have no error (nan) either.
+/// (correlation_time.h), and one decision is made for the whole field (error_decision.h). Where runs differ
+/// by more than their frames tell (between_runs.h), the errors are from the spread of the runs, and 2 tau is
+/// that within runs, that of single columns the number of blocks over that of runs. Quantities that do not
+/// fluctuate, or that are undefined without some block, have no error (nan) either.
 BlockErrors block_errors(const TimeAverage& average, const Solver& solve,
                          const std::vector<ColumnsOfField>& fields);
 

@@ -31,7 +31,8 @@ using FitValues = std::function<ExponentialProfile(const Eigen::ArrayXd&)>;
 /// through the fluctuations of v0 and s. Their 2 tau is not taken below that of the rings that determine
 /// them, which fluctuate differently from most; that estimate is less certain, so the larger of the two is
 /// used. With eight or more runs each run is one block, and errors use Student's t with one degree of freedom
-/// fewer than runs: variation between runs that does not show within one is then included.
+/// fewer than runs: variation between runs that does not show within one is then included. So they are where
+/// fewer runs differ by more than their frames tell (between_runs.h); three or fewer have no errors then.
 FitErrors errors_from_blocks(const ExponentialProfile& fitted, const ColumnWithoutBlocks& blocks,
                              const FitValues& fit);
 

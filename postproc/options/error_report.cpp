@@ -9,10 +9,26 @@
 namespace mikromakro {
 namespace {
 
+std::string of_runs(const FieldErrors& made) {
+  const double chi_square = made.between.chi_square;
+  return std::isnan(chi_square) ? "" : fmt::format(", chi^2 between runs {:.2g}", chi_square);
+}
+
+std::string report_by_runs(const FieldErrors& made) {
+  const ErrorDecision& decision = made.decision;
+  const std::string differ = fmt::format("runs differ by more than their frames tell{}", of_runs(made));
+  if (decision.given)
+    return fmt::format("{}: from the spread of the runs, {:.3g} degrees of freedom; {}", made.field.name,
+                       decision.freedom, differ);
+  return fmt::format("{}: none, {}, and they are worth {:.2g} runs of the {:.0f} that are needed",
+                     made.field.name, differ, decision.samples, decision.needed);
+}
+
 std::string report(const FieldErrors& made) {
   const CorrelationTime& correlation = made.correlation;
   const ErrorDecision& decision = made.decision;
   if (made.series == 0) return made.field.name + ": none, no column fluctuates";
+  if (decision.by_runs) return report_by_runs(made);
   if (std::isnan(correlation.time)) return made.field.name + ": none, 2 tau is too long for so few blocks";
   const std::string time =
       fmt::format("{}: {}2 tau = {:.3g} +- {:.2g} frames", made.field.name, decision.given ? "" : "none, ",
@@ -23,11 +39,9 @@ std::string report(const FieldErrors& made) {
   if (!decision.given)
     return fmt::format("{}, {:.3g} effective samples of the {:.3g} that are needed", time, decision.samples,
                        std::ceil(decision.needed));
-  const std::string runs =
-      std::isnan(made.between_runs) ? "" : fmt::format(", chi^2 between runs {:.2g}", made.between_runs);
   return fmt::format(
       "{}, from series to series by {:.0f} %, {:.3g} effective samples, {:.3g} degrees of freedom{}", time,
-      100 * correlation.scatter, decision.samples, decision.freedom, runs);
+      100 * correlation.scatter, decision.samples, decision.freedom, of_runs(made));
 }
 
 JsonObject json_of(const FieldErrors& made) {
@@ -44,12 +58,22 @@ JsonObject json_of(const FieldErrors& made) {
   json.add("effective_samples", if_known(made.decision.samples));
   json.add("needed_samples", if_known(made.decision.needed));
   json.add("degrees_of_freedom", if_known(made.decision.freedom));
-  json.add("chi2_between_runs", made.between_runs);
+  json.add("by_runs", std::int64_t{made.decision.by_runs});
+  json.add("chi2_between_runs", made.between.chi_square);
   json.add("widening", made.decision.given ? made.decision.widening : std::nan(""));
   return json;
 }
 
 }  // namespace
+
+std::string doubt_of(const BlockErrors& errors) {
+  const bool repeat = std::any_of(errors.fields.begin(), errors.fields.end(),
+                                  [](const FieldErrors& made) { return made.between.repeat(); });
+  return repeat
+             ? "two runs are nearer to each other than independent ones are (one run twice?); errors are too "
+               "small then"
+             : "";
+}
 
 void describe_errors(const BlockErrors& errors, const TimeAverage& average, Preamble& lines) {
   const std::string blocks =
@@ -60,14 +84,13 @@ void describe_errors(const BlockErrors& errors, const TimeAverage& average, Prea
                                  [](const FieldErrors& made) { return made.series > 0; });
   if (!known) return;
   for (const FieldErrors& made : errors.fields) lines.emplace_back("errors of", report(made));
-  constexpr double clearly_more = 2;
   const bool differ = std::any_of(errors.fields.begin(), errors.fields.end(),
-                                  [](const FieldErrors& made) { return made.between_runs > clearly_more; });
+                                  [](const FieldErrors& made) { return made.between.differ(); });
   if (differ)
-    lines.emplace_back(
-        "note",
-        "runs differ by more than their frames tell (chi^2 above 2): these are errors of these runs, "
-        "not of packings");
+    lines.emplace_back("note",
+                       "runs differ by more than their frames tell: their errors are those of packings, and "
+                       "more frames of the same runs do not make them smaller");
+  if (const std::string doubt = doubt_of(errors); !doubt.empty()) lines.emplace_back("note", doubt);
   if (!errors.all() && average.block_length() > 1)
     lines.emplace_back("note",
                        "shorter blocks may give more errors: --error-blocks, or fewer fields or volumes");
