@@ -150,6 +150,9 @@ FieldErrors errors_of(const ColumnsOfField& field, Eigen::Index begin, const Pse
   }
   made.correlation = correlation_time(series, runs);
   made.decision = decide(made.correlation, count);
+  if (!made.decision.given) return made;
+  made.slow = slow_change(series, runs, made.correlation);
+  made.decision.given = !made.slow.shows();
   if (made.decision.given) fill(places, values, made, errors);
   return made;
 }
@@ -165,7 +168,7 @@ BlockErrors block_errors(const TimeAverage& average, const Solver& solve,
   errors.error = Rows::Constant(values.rows(), values.cols(), nan);
   errors.correlation_time = errors.error;
   constexpr std::size_t fewest_blocks = 8;
-  const bool enough = blocks.size() >= fewest_blocks;
+  const bool enough = errors.enough_blocks = blocks.size() >= fewest_blocks;
   const PseudoValues jackknife = enough ? pseudo_values(blocks, solve, fields) : PseudoValues{};
   const auto length = static_cast<double>(average.block_length());
   Eigen::Index begin = 0;

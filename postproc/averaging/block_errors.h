@@ -7,6 +7,7 @@
 #include "averaging/time_average.h"
 #include "statistics/between_runs.h"
 #include "statistics/error_decision.h"
+#include "statistics/slow_change.h"
 
 namespace mikromakro {
 
@@ -19,6 +20,7 @@ struct FieldErrors {
   Eigen::Index series = 0;  ///< number of series that fluctuate
   CorrelationTime correlation{};
   ErrorDecision decision{};
+  SlowChange slow{};      ///< no errors where it shows
   BetweenRuns between{};  ///< of several runs
 };
 
@@ -27,6 +29,7 @@ struct BlockErrors {
   Rows error;             ///< standard error; nan if it cannot be determined
   Rows correlation_time;  ///< 2 tau, in frames; nan if there is no error
   std::int64_t frames = 0;
+  bool enough_blocks = false;  ///< eight
   std::vector<FieldErrors> fields;
 
   /// frames/(2 tau) of the slowest column of each volume, among those with errors; nan if there is none.

@@ -36,6 +36,11 @@ std::string report(const FieldErrors& made) {
   if (decision.unlike)
     return fmt::format("{}, but it differs from series to series by {:.0f} %, more than each knows its own",
                        time, 100 * correlation.scatter);
+  if (made.slow.shows())
+    return fmt::format(
+        "{}, but something changes as slowly as the run lasts (its slowest wave squared is {:.2g} "
+        "times the next ones)",
+        time, made.slow.ratio);
   if (!decision.given)
     return fmt::format("{}, {:.3g} effective samples of the {:.3g} that are needed", time, decision.samples,
                        std::ceil(decision.needed));
@@ -55,13 +60,27 @@ JsonObject json_of(const FieldErrors& made) {
   json.add("two_tau_err", if_known(correlation.time * correlation.uncertainty));
   json.add("two_tau_scatter", if_known(correlation.scatter));
   json.add("two_tau_scatter_unknown", if_known(correlation.unknown_scatter));
-  json.add("effective_samples", if_known(made.decision.samples));
-  json.add("needed_samples", if_known(made.decision.needed));
-  json.add("degrees_of_freedom", if_known(made.decision.freedom));
+  const auto if_decided = [&](double value) { return known || made.decision.by_runs ? value : std::nan(""); };
+  json.add("effective_samples", if_decided(made.decision.samples));
+  json.add("needed_samples", if_decided(made.decision.needed));
+  json.add("degrees_of_freedom", if_decided(made.decision.freedom));
+  json.add("slow_wave_ratio", made.slow.ratio);
   json.add("by_runs", std::int64_t{made.decision.by_runs});
   json.add("chi2_between_runs", made.between.chi_square);
   json.add("widening", made.decision.given ? made.decision.widening : std::nan(""));
   return json;
+}
+
+// Where there are none, why, as far as all fields have one reason; the others have a line each.
+std::string summary_of(const BlockErrors& errors, bool known, const std::string& blocks) {
+  if (errors.any()) return "standard errors by the jackknife of " + blocks;
+  if (errors.enough_blocks && !known) return "nan: nothing fluctuates in " + blocks;
+  const auto is_short = [](const FieldErrors& made) {
+    return made.series > 0 && !made.decision.by_runs && !made.slow.shows();
+  };
+  if (!known || std::any_of(errors.fields.begin(), errors.fields.end(), is_short))
+    return fmt::format("nan: {} are too few for standard errors", blocks);
+  return "nan: no field has standard errors";
 }
 
 }  // namespace
@@ -78,10 +97,9 @@ std::string doubt_of(const BlockErrors& errors) {
 void describe_errors(const BlockErrors& errors, const TimeAverage& average, Preamble& lines) {
   const std::string blocks =
       fmt::format("{} blocks of {} frames", average.blocks().size(), average.block_length());
-  lines.emplace_back("errors", errors.any() ? fmt::format("standard errors by the jackknife of {}", blocks)
-                                            : fmt::format("nan: {} are too few for standard errors", blocks));
   const bool known = std::any_of(errors.fields.begin(), errors.fields.end(),
                                  [](const FieldErrors& made) { return made.series > 0; });
+  lines.emplace_back("errors", summary_of(errors, known, blocks));
   if (!known) return;
   for (const FieldErrors& made : errors.fields) lines.emplace_back("errors of", report(made));
   const bool differ = std::any_of(errors.fields.begin(), errors.fields.end(),

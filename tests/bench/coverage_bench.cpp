@@ -115,6 +115,32 @@ void slow_parts() {
   }
 }
 
+// One volume that is AR(1) among nineteen of white noise.
+void one_slow() {
+  constexpr Eigen::Index volumes = 20;
+  if (!head("One slow volume of twenty (of which errors are counted), the others white")) return;
+  for (const double rho : {0.8, 0.9, 0.98}) {
+    for (const int frames : {20, 40, 80, 200}) {
+      Trials scene;
+      scene.truth = Rows::Zero(1, 1);
+      scene.run = [=](auto& random) {
+        std::vector<Rows> series = CorrelatedNoise(0, volumes, 1)(frames, random);
+        const std::vector<Rows> slow = CorrelatedNoise(rho, 1, 1)(frames, random);
+        for (std::size_t i = 0; i < series.size(); ++i) series[i](0, 0) = slow[i](0, 0);
+        return series;
+      };
+      const auto part = [](const MakeErrors& errors) {
+        return [errors](const TimeAverage& average, const Solver&) {
+          return Rows(errors(average, [](const Rows& sums) { return sums; }).topRows(1));
+        };
+      };
+      scene.solve = [](const Rows& sums) { return Rows(sums.topRows(1)); };
+      fmt::print("| correlation {} | {} | {:.1f} | {} |\n", rho, frames, frames / two_tau(rho),
+                 both(scene, part(errors_one_by_one), part(errors_of_field)));
+    }
+  }
+}
+
 // Ten volumes of correlation 0 and ten of 0.7, as a field of one column; then each half alone.
 void unlike() {
   constexpr Eigen::Index half = 10;
@@ -243,6 +269,7 @@ int main(int argc, char** argv) {
   for (const Eigen::Index volumes : {20, 4, 1}) correlated(volumes);
   two_scales();
   slow_parts();
+  one_slow();
   unlike();
   solved();
   several_runs();
