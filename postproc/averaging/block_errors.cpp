@@ -141,19 +141,17 @@ FieldErrors errors_of(const ColumnsOfField& field, Eigen::Index begin, const Pse
   const Rows series = series_at(places, values.deviations);
   const auto count = static_cast<double>(values.deviations.size());
   made.between = between_runs(series, runs);
-  if (made.between.differ()) {
+  made.correlation = made.between.differ() ? made.between.within : correlation_time(series, runs);
+  made.decision = decide(made.correlation, count);
+  if (!made.between.differ() && !made.decision.given) return made;
+  if (made.decision.given) made.slow = slow_change(series, runs, made.correlation);
+  if (made.between.differ() || made.slow.shows()) {
     const RunMeans means = run_means(series, runs);
-    made.correlation = made.between.within;
     made.decision = decide_by_runs(means.freedom());
     if (made.decision.given) fill_by_runs(places, means, made, errors, count);
-    return made;
+  } else {
+    fill(places, values, made, errors);
   }
-  made.correlation = correlation_time(series, runs);
-  made.decision = decide(made.correlation, count);
-  if (!made.decision.given) return made;
-  made.slow = slow_change(series, runs, made.correlation);
-  made.decision.given = !made.slow.shows();
-  if (made.decision.given) fill(places, values, made, errors);
   return made;
 }
 

@@ -20,7 +20,7 @@ struct FieldErrors {
   Eigen::Index series = 0;  ///< number of series that fluctuate
   CorrelationTime correlation{};
   ErrorDecision decision{};
-  SlowChange slow{};      ///< no errors where it shows
+  SlowChange slow{};
   BetweenRuns between{};  ///< of several runs
 };
 

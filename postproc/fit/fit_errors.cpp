@@ -156,8 +156,8 @@ FitErrors errors_from_rings(const ExponentialProfile& fitted, const Eigen::Array
     errors.remark = "a ring has no error (more frames, or --blocks)";
     return errors;
   }
-  errors.method = "upper bound from the rings' errors";
-  errors.remark = "however rings fluctuate together";
+  errors.method = "rough, from the rings' errors";
+  errors.remark = "as if all rings acted in one direction (--blocks counts how they fluctuate together)";
   errors.error = (fitted.change.cwiseAbs() * error.matrix()).array();
   errors.half_width = normal_quantile * errors.error;
   return errors;

@@ -37,9 +37,9 @@ FitErrors errors_from_blocks(const ExponentialProfile& fitted, const ColumnWitho
                              const FitValues& fit);
 
 /// From the standard errors of the rings alone. These do not contain the correlations between rings, nor can
-/// residuals show them, since v0 and s are determined by three or four independent rings. But sum |d v0/d
-/// v_i| error_i is the standard error of v0 under full correlation, and never too small: the errors are upper
-/// bounds.
+/// residuals show them, since v0 and s are determined by three or four independent rings. sum |d v0/d v_i|
+/// error_i is the standard error of v0 if all rings act in one direction. It is a rough number and no bound:
+/// it takes over what is wrong with the errors of the rings that determine v0 (docs/manual/errors.md).
 FitErrors errors_from_rings(const ExponentialProfile& fitted, const Eigen::ArrayXd& error_of_ring);
 
 }  // namespace mikromakro

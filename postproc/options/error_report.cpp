@@ -14,14 +14,20 @@ std::string of_runs(const FieldErrors& made) {
   return std::isnan(chi_square) ? "" : fmt::format(", chi^2 between runs {:.2g}", chi_square);
 }
 
+// Of runs that differ, and of what changes as slowly as they last.
 std::string report_by_runs(const FieldErrors& made) {
   const ErrorDecision& decision = made.decision;
-  const std::string differ = fmt::format("runs differ by more than their frames tell{}", of_runs(made));
+  const std::string why =
+      made.between.differ()
+          ? fmt::format("runs differ by more than their frames tell{}", of_runs(made))
+          : fmt::format(
+                "something changes as slowly as a run lasts (its slowest wave squared is {:.2g} times "
+                "the next ones)",
+                made.slow.ratio);
   if (decision.given)
     return fmt::format("{}: from the spread of the runs, {:.3g} degrees of freedom; {}", made.field.name,
-                       decision.freedom, differ);
-  return fmt::format("{}: none, {}, and they are worth {:.2g} runs of the {:.0f} that are needed",
-                     made.field.name, differ, decision.samples, decision.needed);
+                       decision.freedom, why);
+  return fmt::format("{}: none, {}; four runs of one length would do", made.field.name, why);
 }
 
 std::string report(const FieldErrors& made) {
@@ -36,11 +42,6 @@ std::string report(const FieldErrors& made) {
   if (decision.unlike)
     return fmt::format("{}, but it differs from series to series by {:.0f} %, more than each knows its own",
                        time, 100 * correlation.scatter);
-  if (made.slow.shows())
-    return fmt::format(
-        "{}, but something changes as slowly as the run lasts (its slowest wave squared is {:.2g} "
-        "times the next ones)",
-        time, made.slow.ratio);
   if (!decision.given)
     return fmt::format("{}, {:.3g} effective samples of the {:.3g} that are needed", time, decision.samples,
                        std::ceil(decision.needed));
@@ -75,9 +76,7 @@ JsonObject json_of(const FieldErrors& made) {
 std::string summary_of(const BlockErrors& errors, bool known, const std::string& blocks) {
   if (errors.any()) return "standard errors by the jackknife of " + blocks;
   if (errors.enough_blocks && !known) return "nan: nothing fluctuates in " + blocks;
-  const auto is_short = [](const FieldErrors& made) {
-    return made.series > 0 && !made.decision.by_runs && !made.slow.shows();
-  };
+  const auto is_short = [](const FieldErrors& made) { return made.series > 0 && !made.decision.by_runs; };
   if (!known || std::any_of(errors.fields.begin(), errors.fields.end(), is_short))
     return fmt::format("nan: {} are too few for standard errors", blocks);
   return "nan: no field has standard errors";

@@ -111,8 +111,8 @@ TEST(FitErrors, AreNotGivenWhereTheyCannotBeKnown) {
 }
 
 // Rings that all err by the same share are the whole profile times 1 + x, whose v0 errs by that share: the
-// bound is not below it, and for other signs not exceeded.
-TEST(FitErrors, OfRingsAreUpperBounds) {
+// error is not below it.
+TEST(FitErrors, OfRingsAreAsIfAllActedInOneDirection) {
   const ExponentialProfile fitted = fit(profile());
   const FitErrors errors = errors_from_rings(fitted, 0.01 * profile());
   for (Eigen::Index k = 0; k < 2; ++k) {
