@@ -23,10 +23,20 @@ Row square_of_wave(const Eigen::Ref<const Rows>& run, int k) {
   return 2 / count * wave.square();
 }
 
+// As many as determine 2 tau, evenly spread.
+Rows some_of(const Rows& series) {
+  constexpr Eigen::Index most = 1000;
+  if (series.cols() <= most) return series;
+  Rows some(series.rows(), most);
+  for (Eigen::Index i = 0; i < most; ++i) some.col(i) = series.col(i * series.cols() / most);
+  return some;
+}
+
 }  // namespace
 
-SlowChange slow_change(const Rows& series, const std::vector<std::int64_t>& runs,
+SlowChange slow_change(const Rows& all_series, const std::vector<std::int64_t>& runs,
                        const CorrelationTime& time) {
+  const Rows series = some_of(all_series);
   Row slowest = Row::Zero(series.cols()), next = slowest;
   double independent = 0;
   for (std::size_t begin = 0, end = 0; begin < runs.size(); begin = end) {
