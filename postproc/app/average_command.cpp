@@ -10,6 +10,7 @@
 #include "app/memory_need.h"
 #include "app/plausible_options.h"
 #include "app/run_constants.h"
+#include "app/warnings.h"
 #include "averaging/block_table.h"
 #include "model/error.h"
 #include "options/average_options.h"
@@ -102,6 +103,7 @@ void write(const CommandOptions& options, const Task& task, const Averaged& aver
   if (task.blocks) task.blocks->commit(csv_text(lines, block_table(*task.averager, averaged.sums)));
   const BlockErrors errors =
       write_averages(task.options, *task.averager, averaged, std::move(lines), *task.outputs);
+  if (const std::string doubt = doubt_of(errors); !doubt.empty()) tell(doubt);
   if (options.json) fmt::print("{}\n", error_json(errors, averaged.sums).text());
 }
 

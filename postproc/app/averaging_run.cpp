@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <thread>
+#include <vector>
 
 #include "app/coverage.h"
 #include "app/plausible_options.h"
@@ -29,21 +30,46 @@ void check_found(const FrameSource& source, const VolumeOptions& volumes, const 
   if (runs.any_zero()) note_empty_frames(source, volumes, runs.all_zero());
 }
 
-// Detects pieces of one run that were given as several runs.
+constexpr const char* goes_on =
+    "a run goes on where another ended; as runs they count as independent (pieces of one run? all files "
+    "behind one --particles)";
+
+// Detects pieces of one run that were given as several runs, in any order.
 class Continuations {
  public:
-  /// Whether the frame is the first of its run and continues the frame interval of the previous run.
+  /// Whether the frame is the first of its run and continues the frame interval of an earlier run, or an
+  /// earlier run continues that of the run that ended before it.
   bool add(const FrameSums& frame) {
-    const bool goes_on = frame.run != run_ && interval_ > 0 && frame.step > step_ &&
-                         static_cast<double>(frame.step - step_) < 1.5 * static_cast<double>(interval_);
-    interval_ = frame.run == run_ ? frame.step - step_ : 0;
-    step_ = frame.step;
-    run_ = frame.run;
-    return goes_on;
+    const bool starts = runs_.empty() || frame.run != runs_.back().run;
+    if (!starts) {
+      runs_.back().interval = frame.step - runs_.back().last;
+      runs_.back().last = frame.step;
+      return false;
+    }
+    const bool follow = ends() || std::any_of(runs_.begin(), runs_.end(), [&](const Of& earlier) {
+                          return follows(frame.step, earlier);
+                        });
+    runs_.push_back({frame.run, frame.step, frame.step, 0});
+    return follow;
+  }
+
+  /// Whether an earlier run continues the last one.
+  bool ends() const {
+    return !runs_.empty() && std::any_of(runs_.begin(), runs_.end() - 1, [&](const Of& earlier) {
+      return follows(earlier.first, runs_.back());
+    });
   }
 
  private:
-  std::int64_t run_ = -1, step_ = 0, interval_ = 0;
+  struct Of {
+    std::int64_t run, first, last, interval;
+  };
+  static bool follows(std::int64_t step, const Of& run) {
+    return run.interval > 0 && step > run.last &&
+           static_cast<double>(step - run.last) < 1.5 * static_cast<double>(run.interval);
+  }
+
+  std::vector<Of> runs_;
 };
 
 }  // namespace
@@ -88,20 +114,18 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
   RunsUsed runs(1 + source.further_runs.size());
   RepeatedFrames repeated;
   Continuations continuations;
+  std::int64_t last_step = 0;
   ranks.gather_in_order(read_and_sum, [&](const FrameSums& frame) {
     if (!source.further_runs.empty() && repeated.add(frame))
       source.notes->add("frames are the same in two runs and count twice (one run in two forms?)",
                         frame.step);
-    if (continuations.add(frame))
-      source.notes->add(
-          "a run goes on where the run before it ended; as runs they count as independent (pieces of one "
-          "run? "
-          "all files behind one --particles)",
-          frame.step);
+    if (continuations.add(frame)) source.notes->add(goes_on, frame.step);
+    last_step = frame.step;
     runs.add(frame.run, (frame.sums == 0).all());
     averaged.add(frame.step, frame.sums, frame.run);
     progress.update(bytes, averaged.sums.frames());
   });
+  if (continuations.ends()) source.notes->add(goes_on, last_step);
   ranks.gather(*source.notes);
   ranks.agree([&] {
     if (ranks.first()) check_found(source, volumes, types, averaged, runs);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "io/tables/json_object.h"
 
@@ -17,6 +18,12 @@ struct Estimate {
   double value = 0, error = 0, half_width = 0;
   std::string least_by = {}, greatest_by = {};
   double least = 0, greatest = 0;
+
+  // Whether the interval of the rate of decay 1/s, which is value^-2 times as wide, includes 0: that of s
+  // then has no upper end.
+  bool no_decay() const { return key == "s" && half_width >= value; }
+  double low() const { return no_decay() ? value / (1 + half_width / value) : value - half_width; }
+  double high() const { return no_decay() ? std::nan("") : value + half_width; }
 };
 
 void take_range(const std::vector<FitChoice>& choices, double FitChoice::*of, double scale,
@@ -51,12 +58,14 @@ std::vector<Estimate> estimates(const FitReport& report) {
   return all;
 }
 
-void print_line(const Estimate& one, bool at_most, bool chosen) {
+void print_line(const Estimate& one, bool rough, bool chosen) {
   const std::string unit = one.unit.empty() ? "" : " " + one.unit;
   fmt::print("{} = {:.6g}", one.name, one.value);
-  if (!std::isnan(one.error))
-    fmt::print(" +- {:.2g}{} ({}95 %: {:.6g} to {:.6g})", one.error, unit, at_most ? "at most; " : "",
-               one.value - one.half_width, one.value + one.half_width);
+  const std::string kind = rough ? "rough; " : "";
+  if (one.no_decay())
+    fmt::print("{} ({}95 %: above {:.3g}{}, no decay is seen)", unit, kind, one.low(), unit);
+  else if (!std::isnan(one.error))
+    fmt::print(" +- {:.2g}{} ({}95 %: {:.6g} to {:.6g})", one.error, unit, kind, one.low(), one.high());
   else
     fmt::print("{}", unit);
   if (chosen) fmt::print("; by choices {:.4g} to {:.4g}", one.least, one.greatest);
@@ -80,14 +89,19 @@ void print_choices(const FitReport& report, const std::vector<Estimate>& all) {
   fmt::print("choices: {} fits", made);
   for (std::size_t i = 0; i < 2; ++i)
     fmt::print("; least {} by {}, greatest by {}", all[i].name, all[i].least_by, all[i].greatest_by);
+  std::map<std::string, int> missing;
+  for (const FitChoice& choice : report.choices)
+    if (!choice.missing.empty()) ++missing[choice.missing];
+  for (const auto& [why, count] : missing)
+    fmt::print("; {} of {} not there: {}", count, report.choices.size(), why);
   fmt::print("\n");
 }
 
 void add(const Estimate& one, JsonObject& json) {
   json.add(one.key, one.value);
   json.add(one.key + "_err", one.error);
-  json.add(one.key + "_low", one.value - one.half_width);
-  json.add(one.key + "_high", one.value + one.half_width);
+  json.add(one.key + "_low", one.low());
+  json.add(one.key + "_high", one.high());
   json.add(one.key + "_least", one.least);
   json.add(one.key + "_greatest", one.greatest);
 }
@@ -143,15 +157,16 @@ void print_text(const FitReport& report) {
       report.column, report.r_i, of_what(report), report.fitted.used.size(), report.first_r, report.last_r);
   const std::vector<Estimate> all = estimates(report);
   const bool chosen = report.choices.size() > 1;  // else all choices were fixed by the user
-  const bool at_most = !std::isnan(report.errors.error[0]) && std::isnan(report.errors.freedom);
+  const bool rough = !std::isnan(report.errors.error[0]) && std::isnan(report.errors.freedom);
   for (const Estimate& one : all)
-    if (!std::isnan(one.value)) print_line(one, at_most, chosen);
+    if (!std::isnan(one.value)) print_line(one, rough, chosen);
   print_errors(report.errors);
   if (chosen) print_choices(report, all);
   fmt::print("rms of the residuals = {:.6g} {}", report.fitted.residual_rms,
              report.unit.empty() ? "(the table does not tell the unit)" : report.unit);
   if (!std::isnan(report.residuals_over_errors))
     fmt::print(", {:.2g} of the rings' errors", report.residuals_over_errors);
+  fmt::print(" (it describes the fit, and is no error of v0 or s)");
   fmt::print("\n");
 }
 

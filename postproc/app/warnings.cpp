@@ -7,8 +7,12 @@
 
 namespace mikromakro {
 
+void tell(const std::string& warning) {
+  fmt::print(stderr, "mikromakro: warning: {}\n", warning);
+}
+
 void tell(const Notes& notes) {
-  for (const std::string& line : notes.lines()) fmt::print(stderr, "mikromakro: warning: {}\n", line);
+  for (const std::string& line : notes.lines()) tell(line);
 }
 
 void describe_notes(const Notes& notes, Preamble& lines) {

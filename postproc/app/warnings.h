@@ -2,6 +2,8 @@
 // Warnings: prints the notes collected while reading.
 #pragma once
 
+#include <string>
+
 #include "io/tables/csv_writer.h"
 #include "model/notes.h"
 
@@ -9,6 +11,9 @@ namespace mikromakro {
 
 /// Prints one line 'mikromakro: warning: ...' on stderr per note.
 void tell(const Notes& notes);
+
+/// Prints such a line.
+void tell(const std::string& warning);
 
 /// Adds one header line of a table per note.
 void describe_notes(const Notes& notes, Preamble& lines);

@@ -123,25 +123,13 @@ void fill(const std::vector<Eigen::Index>& places, const PseudoValues& values, c
   }
 }
 
-// Mean over the series of the sum over runs of n_r (m_r - m)^2/(2 tau s^2), divided by the number of runs
-// minus one.
-double chi_square(const Rows& series, const std::vector<std::int64_t>& runs, const Eigen::ArrayXd& time) {
-  const Row mean = series.colwise().mean();
-  const Row variance = (series.rowwise() - mean).square().colwise().mean() * time.transpose();
-  Row sum = Row::Zero(series.cols());
-  int count = 0;
-  for (Eigen::Index begin = 0; begin < series.rows(); ++count) {
-    Eigen::Index end = begin;
-    const auto run_of = [&](Eigen::Index block) { return runs[static_cast<std::size_t>(block)]; };
-    while (end < series.rows() && run_of(end) == run_of(begin)) ++end;
-    const Row own = series.middleRows(begin, end - begin).colwise().mean() - mean;
-    sum += static_cast<double>(end - begin) * own.square() / variance;
-    begin = end;
+void fill_by_runs(const std::vector<Eigen::Index>& places, const RunMeans& means, const FieldErrors& field,
+                  BlockErrors& errors, double blocks) {
+  const Eigen::ArrayXd error = field.decision.widening * means.variance_of_mean().sqrt();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    errors.error.data()[places[i]] = error[static_cast<Eigen::Index>(i)];
+    errors.correlation_time.data()[places[i]] = blocks / field.decision.samples;
   }
-  const auto known = sum.isFinite();
-  return count < 2 || !known.any()
-             ? nan
-             : known.select(sum, 0).sum() / static_cast<double>(known.count() * (count - 1));
 }
 
 FieldErrors errors_of(const ColumnsOfField& field, Eigen::Index begin, const PseudoValues& values,
@@ -151,11 +139,19 @@ FieldErrors errors_of(const ColumnsOfField& field, Eigen::Index begin, const Pse
   if (places.empty()) return made;
   made.series = static_cast<Eigen::Index>(places.size());
   const Rows series = series_at(places, values.deviations);
-  made.correlation = correlation_time(series, runs);
-  made.decision = decide(made.correlation, static_cast<double>(values.deviations.size()));
-  if (!made.decision.given) return made;
-  fill(places, values, made, errors);
-  made.between_runs = chi_square(series, runs, made.correlation.of_series);
+  const auto count = static_cast<double>(values.deviations.size());
+  made.between = between_runs(series, runs);
+  made.correlation = made.between.differ() ? made.between.within : correlation_time(series, runs);
+  made.decision = decide(made.correlation, count);
+  if (!made.between.differ() && !made.decision.given) return made;
+  if (made.decision.given) made.slow = slow_change(series, runs, made.correlation);
+  if (made.between.differ() || made.slow.shows()) {
+    const RunMeans means = run_means(series, runs);
+    made.decision = decide_by_runs(means.freedom());
+    if (made.decision.given) fill_by_runs(places, means, made, errors, count);
+  } else {
+    fill(places, values, made, errors);
+  }
   return made;
 }
 
@@ -170,7 +166,7 @@ BlockErrors block_errors(const TimeAverage& average, const Solver& solve,
   errors.error = Rows::Constant(values.rows(), values.cols(), nan);
   errors.correlation_time = errors.error;
   constexpr std::size_t fewest_blocks = 8;
-  const bool enough = blocks.size() >= fewest_blocks;
+  const bool enough = errors.enough_blocks = blocks.size() >= fewest_blocks;
   const PseudoValues jackknife = enough ? pseudo_values(blocks, solve, fields) : PseudoValues{};
   const auto length = static_cast<double>(average.block_length());
   Eigen::Index begin = 0;

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 
 #include "averaging/time_average.h"
+#include "statistics/between_runs.h"
 #include "statistics/error_decision.h"
+#include "statistics/slow_change.h"
 
 namespace mikromakro {
 
@@ -19,10 +20,8 @@ struct FieldErrors {
   Eigen::Index series = 0;  ///< number of series that fluctuate
   CorrelationTime correlation{};
   ErrorDecision decision{};
-  /// For several runs: chi^2 per value of the run means about the overall mean, in units of the errors of
-  /// each run. 1 if runs differ as expected from their fluctuations in time, larger if packings differ. nan
-  /// for one run, and without errors.
-  double between_runs = std::numeric_limits<double>::quiet_NaN();
+  SlowChange slow{};
+  BetweenRuns between{};  ///< of several runs
 };
 
 /// One number per volume and column.
@@ -30,6 +29,7 @@ struct BlockErrors {
   Rows error;             ///< standard error; nan if it cannot be determined
   Rows correlation_time;  ///< 2 tau, in frames; nan if there is no error
   std::int64_t frames = 0;
+  bool enough_blocks = false;  ///< eight
   std::vector<FieldErrors> fields;
 
   /// frames/(2 tau) of the slowest column of each volume, among those with errors; nan if there is none.
@@ -47,8 +47,10 @@ struct BlockErrors {
 /// of the decision.
 ///
 /// 2 tau is computed from the pseudo-values of all columns of a field in all volumes together
-/// (correlation_time.h), and one decision is made for the whole field (error_decision.h). Quantities that do
-/// not fluctuate, or that are undefined without some block, have no error (nan) either.
+/// (correlation_time.h), and one decision is made for the whole field (error_decision.h). Where runs differ
+/// by more than their frames tell (between_runs.h), the errors are from the spread of the runs, and 2 tau is
+/// that within runs, that of single columns the number of blocks over that of runs. Quantities that do not
+/// fluctuate, or that are undefined without some block, have no error (nan) either.
 BlockErrors block_errors(const TimeAverage& average, const Solver& solve,
                          const std::vector<ColumnsOfField>& fields);
 

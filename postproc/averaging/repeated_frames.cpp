@@ -13,6 +13,15 @@ bool RepeatedFrames::same(const Seen& one, const Seen& other) {
          !differs.any();
 }
 
+bool RepeatedFrames::same_to_all_digits(const Seen& one, const Seen& before, const Seen& other) {
+  constexpr double digits = 1e-12, clearly = 1e-4;
+  constexpr Eigen::Index fewest = 2;
+  if (before.run != one.run || before.sums.size() == 0) return false;
+  const auto changed = (one.sums - before.sums).abs() > clearly * one.sizes && one.sums != one.sums.round();
+  return changed.count() >= fewest && (one.sums.isNaN() == other.sums.isNaN()).all() &&
+         !((one.sums - other.sums).abs() > digits * one.sizes.max(other.sizes)).any();
+}
+
 bool RepeatedFrames::add(const FrameSums& frame) {
   const Eigen::ArrayXd place =
       Eigen::ArrayXd::LinSpaced(frame.sums.rows(), 1, static_cast<double>(frame.sums.rows()));
@@ -20,9 +29,10 @@ bool RepeatedFrames::add(const FrameSums& frame) {
             (frame.sums.abs().colwise() * place).colwise().sum().transpose()};
   const bool moves = last_.sums.size() == 0 || last_.run != seen.run || !same(last_, seen);
   std::vector<Seen>& at_this_step = by_step_[frame.step];
-  const bool again = moves && std::any_of(at_this_step.begin(), at_this_step.end(), [&](const Seen& earlier) {
-                       return earlier.run != seen.run && same(earlier, seen);
-                     });
+  const bool again =
+      moves && std::any_of(at_this_step.begin(), at_this_step.end(), [&](const Seen& earlier) {
+        return earlier.run != seen.run && (same(earlier, seen) || same_to_all_digits(seen, last_, earlier));
+      });
   last_ = seen;
   at_this_step.push_back(std::move(seen));
   return again;

@@ -16,9 +16,10 @@ namespace mikromakro {
 /// frame.
 class RepeatedFrames {
  public:
-  /// Whether an earlier run contains this frame: the same step, and all sums equal to 1e-4. Never true for
-  /// frames with fewer than four non-zero sums, nor for runs in which nothing moves, since frames of another
-  /// run may resemble these by chance.
+  /// Whether an earlier run contains this frame: the same step, and at least four non-zero sums, all equal to
+  /// 1e-4. Of fewer sums, as those of velocity alone, two must have changed since the frame before, and all
+  /// be equal to 1e-12; numbers of discs do not count, which agree by chance. Never true for runs in which
+  /// nothing moves.
   bool add(const FrameSums& frame);
 
  private:
@@ -27,6 +28,7 @@ class RepeatedFrames {
     Eigen::ArrayXd sums, sizes;  ///< sum_k k q_k and sum_k k |q_k| over volumes k, for each sum q
   };
   static bool same(const Seen& one, const Seen& other);
+  static bool same_to_all_digits(const Seen& one, const Seen& before, const Seen& other);
 
   std::map<std::int64_t, std::vector<Seen>> by_step_;
   Seen last_;

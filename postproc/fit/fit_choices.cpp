@@ -52,8 +52,10 @@ FitChoice choose(const RingProfile& profile, double r_i, const FitWay& way) {
     const ExponentialProfile fitted = fit_exponential(profile, r_i, way);
     choice.v0 = fitted.v0;
     choice.s = fitted.s;
-  } catch (const Error&) {
-    // This fit does not exist: v0 and s stay nan.
+  } catch (const Error& error) {
+    // v0 and s stay nan.
+    const std::string why = error.what();
+    choice.missing = why.substr(0, why.find(';'));
   }
   return choice;
 }

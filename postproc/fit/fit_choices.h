@@ -35,6 +35,7 @@ struct FitChoice {
   FitWay way;
   double v0 = std::numeric_limits<double>::quiet_NaN();  ///< nan: this fit failed
   double s = std::numeric_limits<double>::quiet_NaN();
+  std::string missing = {};  ///< why, in this case
 };
 
 /// Fits all profiles in all reasonable ways, none of which is wrong: from the first ring, or from s/2 beyond

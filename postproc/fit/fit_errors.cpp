@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "model/error.h"
+#include "statistics/between_runs.h"
 #include "statistics/error_decision.h"
 #include "statistics/student_t.h"
 
@@ -66,22 +68,14 @@ void widen(const Eigen::Array2d& error, double freedom, FitErrors& errors) {
   errors.half_width = student_t(confidence, freedom) * error;
 }
 
-// From independent runs, each with a share of all frames; rows of `series` are their values x. With w the
-// shares, sum w (x - mean)^2/(1 - sum w^2) is the variance of one value if runs differ as packings do, and
-// exceeds that of the mean over sum w^2 if they differ only by their frames.
-FitErrors errors_of_runs(const Eigen::ArrayXXd& series, const Eigen::ArrayXd& share) {
-  const double squares = share.square().sum();
+// Of independent runs.
+FitErrors errors_of_runs(const RunMeans& runs) {
   FitErrors errors;
   errors.method = "jackknife of runs";
-  errors.remark = fmt::format("scatter of {} independent runs", series.rows());
-  errors.correlation = correlation(series);
-  Eigen::Array2d variance;
-  for (Eigen::Index i = 0; i < 2; ++i) {
-    const double mean = (share * series.col(i)).sum();
-    variance[i] = squares * (share * (series.col(i) - mean).square()).sum() / (1 - squares);
-  }
-  errors.samples = 1 / squares;
-  widen(variance.sqrt(), errors.samples - 1, errors);
+  errors.remark = fmt::format("scatter of {} independent runs", runs.share.size());
+  errors.correlation = correlation(runs.mean);
+  errors.samples = runs.freedom() + 1;
+  widen(runs.variance_of_mean().head(2).sqrt(), runs.freedom(), errors);
   return errors;
 }
 
@@ -122,25 +116,18 @@ FitErrors errors_of_series(const Eigen::ArrayXXd& series, const ExponentialProfi
   return errors;
 }
 
-struct Runs {
-  Eigen::ArrayXXd mean;  // one row per run
-  Eigen::ArrayXd share;  // of all blocks
-};
-
-Runs by_run(const Eigen::ArrayXXd& series, const std::vector<std::int64_t>& runs) {
-  std::vector<Eigen::Index> begins;
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    if (i == 0 || runs[i] != runs[i - 1]) begins.push_back(static_cast<Eigen::Index>(i));
-  const auto count = static_cast<Eigen::Index>(begins.size());
-  begins.push_back(series.rows());
-  Runs result{Eigen::ArrayXXd(count, series.cols()), Eigen::ArrayXd(count)};
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto run = static_cast<std::size_t>(i);
-    const Eigen::Index length = begins[run + 1] - begins[run];
-    result.mean.row(i) = series.middleRows(begins[run], length).colwise().mean();
-    result.share[i] = static_cast<double>(length) / static_cast<double>(series.rows());
-  }
-  return result;
+// Where runs differ by more than their frames tell, only their spread counts, if there are enough.
+std::optional<FitErrors> errors_of_differing(const Eigen::ArrayXXd& series, const ExponentialProfile& fitted,
+                                             const std::vector<std::int64_t>& of_block,
+                                             const RunMeans& runs) {
+  const BetweenRuns between = between_runs(fluctuating(series, fitted, true), of_block);
+  if (!between.differ()) return {};
+  FitErrors errors;
+  if (decide_by_runs(runs.freedom()).given) errors = errors_of_runs(runs);
+  errors.remark = fmt::format("{} runs that differ by more than their frames tell, chi^2 {:.2g}",
+                              runs.share.size(), between.chi_square);
+  if (errors.error.isNaN().any()) errors.remark += "; four runs of one length are needed";
+  return errors;
 }
 
 }  // namespace
@@ -152,10 +139,11 @@ FitErrors errors_from_blocks(const ExponentialProfile& fitted, const ColumnWitho
   try {
     const Eigen::ArrayXXd series = pseudo_values(fitted, blocks, fit);
     if (!series.isFinite().all()) return none;
-    const Runs runs = by_run(series, blocks.runs);
-    const bool alike = 1 / runs.share.square().sum() >= enough_alike;
-    return runs.share.size() >= enough_runs && alike ? errors_of_runs(runs.mean, runs.share)
-                                                     : errors_of_series(series, fitted, blocks);
+    const RunMeans runs = run_means(series, blocks.runs);
+    const bool alike = 1 / runs.squares() >= enough_alike;
+    if (runs.share.size() >= enough_runs && alike) return errors_of_runs(runs);
+    return errors_of_differing(series, fitted, blocks.runs, runs)
+        .value_or(errors_of_series(series, fitted, blocks));
   } catch (const Error&) {
     return none;
   }
@@ -168,8 +156,8 @@ FitErrors errors_from_rings(const ExponentialProfile& fitted, const Eigen::Array
     errors.remark = "a ring has no error (more frames, or --blocks)";
     return errors;
   }
-  errors.method = "upper bound from the rings' errors";
-  errors.remark = "however rings fluctuate together";
+  errors.method = "rough, from the rings' errors";
+  errors.remark = "as if all rings acted in one direction (--blocks counts how they fluctuate together)";
   errors.error = (fitted.change.cwiseAbs() * error.matrix()).array();
   errors.half_width = normal_quantile * errors.error;
   return errors;

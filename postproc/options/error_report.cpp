@@ -9,10 +9,32 @@
 namespace mikromakro {
 namespace {
 
+std::string of_runs(const FieldErrors& made) {
+  const double chi_square = made.between.chi_square;
+  return std::isnan(chi_square) ? "" : fmt::format(", chi^2 between runs {:.2g}", chi_square);
+}
+
+// Of runs that differ, and of what changes as slowly as they last.
+std::string report_by_runs(const FieldErrors& made) {
+  const ErrorDecision& decision = made.decision;
+  const std::string why =
+      made.between.differ()
+          ? fmt::format("runs differ by more than their frames tell{}", of_runs(made))
+          : fmt::format(
+                "something changes as slowly as a run lasts (its slowest wave squared is {:.2g} times "
+                "the next ones)",
+                made.slow.ratio);
+  if (decision.given)
+    return fmt::format("{}: from the spread of the runs, {:.3g} degrees of freedom; {}", made.field.name,
+                       decision.freedom, why);
+  return fmt::format("{}: none, {}; four runs of one length would do", made.field.name, why);
+}
+
 std::string report(const FieldErrors& made) {
   const CorrelationTime& correlation = made.correlation;
   const ErrorDecision& decision = made.decision;
   if (made.series == 0) return made.field.name + ": none, no column fluctuates";
+  if (decision.by_runs) return report_by_runs(made);
   if (std::isnan(correlation.time)) return made.field.name + ": none, 2 tau is too long for so few blocks";
   const std::string time =
       fmt::format("{}: {}2 tau = {:.3g} +- {:.2g} frames", made.field.name, decision.given ? "" : "none, ",
@@ -23,11 +45,9 @@ std::string report(const FieldErrors& made) {
   if (!decision.given)
     return fmt::format("{}, {:.3g} effective samples of the {:.3g} that are needed", time, decision.samples,
                        std::ceil(decision.needed));
-  const std::string runs =
-      std::isnan(made.between_runs) ? "" : fmt::format(", chi^2 between runs {:.2g}", made.between_runs);
   return fmt::format(
       "{}, from series to series by {:.0f} %, {:.3g} effective samples, {:.3g} degrees of freedom{}", time,
-      100 * correlation.scatter, decision.samples, decision.freedom, runs);
+      100 * correlation.scatter, decision.samples, decision.freedom, of_runs(made));
 }
 
 JsonObject json_of(const FieldErrors& made) {
@@ -41,33 +61,53 @@ JsonObject json_of(const FieldErrors& made) {
   json.add("two_tau_err", if_known(correlation.time * correlation.uncertainty));
   json.add("two_tau_scatter", if_known(correlation.scatter));
   json.add("two_tau_scatter_unknown", if_known(correlation.unknown_scatter));
-  json.add("effective_samples", if_known(made.decision.samples));
-  json.add("needed_samples", if_known(made.decision.needed));
-  json.add("degrees_of_freedom", if_known(made.decision.freedom));
-  json.add("chi2_between_runs", made.between_runs);
+  const auto if_decided = [&](double value) { return known || made.decision.by_runs ? value : std::nan(""); };
+  json.add("effective_samples", if_decided(made.decision.samples));
+  json.add("needed_samples", if_decided(made.decision.needed));
+  json.add("degrees_of_freedom", if_decided(made.decision.freedom));
+  json.add("slow_wave_ratio", made.slow.ratio);
+  json.add("by_runs", std::int64_t{made.decision.by_runs});
+  json.add("chi2_between_runs", made.between.chi_square);
   json.add("widening", made.decision.given ? made.decision.widening : std::nan(""));
   return json;
 }
 
+// Where there are none, why, as far as all fields have one reason; the others have a line each.
+std::string summary_of(const BlockErrors& errors, bool known, const std::string& blocks) {
+  if (errors.any()) return "standard errors by the jackknife of " + blocks;
+  if (errors.enough_blocks && !known) return "nan: nothing fluctuates in " + blocks;
+  const auto is_short = [](const FieldErrors& made) { return made.series > 0 && !made.decision.by_runs; };
+  if (!known || std::any_of(errors.fields.begin(), errors.fields.end(), is_short))
+    return fmt::format("nan: {} are too few for standard errors", blocks);
+  return "nan: no field has standard errors";
+}
+
 }  // namespace
+
+std::string doubt_of(const BlockErrors& errors) {
+  const bool repeat = std::any_of(errors.fields.begin(), errors.fields.end(),
+                                  [](const FieldErrors& made) { return made.between.repeat(); });
+  return repeat
+             ? "two runs are nearer to each other than independent ones are (one run twice?); errors are too "
+               "small then"
+             : "";
+}
 
 void describe_errors(const BlockErrors& errors, const TimeAverage& average, Preamble& lines) {
   const std::string blocks =
       fmt::format("{} blocks of {} frames", average.blocks().size(), average.block_length());
-  lines.emplace_back("errors", errors.any() ? fmt::format("standard errors by the jackknife of {}", blocks)
-                                            : fmt::format("nan: {} are too few for standard errors", blocks));
   const bool known = std::any_of(errors.fields.begin(), errors.fields.end(),
                                  [](const FieldErrors& made) { return made.series > 0; });
+  lines.emplace_back("errors", summary_of(errors, known, blocks));
   if (!known) return;
   for (const FieldErrors& made : errors.fields) lines.emplace_back("errors of", report(made));
-  constexpr double clearly_more = 2;
   const bool differ = std::any_of(errors.fields.begin(), errors.fields.end(),
-                                  [](const FieldErrors& made) { return made.between_runs > clearly_more; });
+                                  [](const FieldErrors& made) { return made.between.differ(); });
   if (differ)
-    lines.emplace_back(
-        "note",
-        "runs differ by more than their frames tell (chi^2 above 2): these are errors of these runs, "
-        "not of packings");
+    lines.emplace_back("note",
+                       "runs differ by more than their frames tell: their errors are those of packings, and "
+                       "more frames of the same runs do not make them smaller");
+  if (const std::string doubt = doubt_of(errors); !doubt.empty()) lines.emplace_back("note", doubt);
   if (!errors.all() && average.block_length() > 1)
     lines.emplace_back("note",
                        "shorter blocks may give more errors: --error-blocks, or fewer fields or volumes");

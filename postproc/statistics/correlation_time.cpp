@@ -20,7 +20,9 @@ struct Window {
   Eigen::ArrayXd rho;
   double time = 1;
   double squares = 1;
-  double low = 0;  // relative amount by which the time is too small
+  double low = 0;         // relative amount by which the time is too small
+  double subtracted = 0;  // part of the sum that the subtracted means took away
+  double missing = 1;     // of the variance of the mean, in the products at lag 0
 
   Eigen::Index lags() const { return rho.size() - 1; }
 };
@@ -34,12 +36,17 @@ Eigen::ArrayXd shares(const LaggedProducts& products, Eigen::Index lags) {
 
 Window window(LaggedProducts& products, Eigen::Index lags) {
   const double count = products.count();
-  Eigen::ArrayXd mean(lags + 1);
-  for (Eigen::Index lag = 0; lag <= lags; ++lag) mean[lag] = products.mean(lag);
+  Eigen::ArrayXd mean(lags + 1), missing(lags + 1);
+  for (Eigen::Index lag = 0; lag <= lags; ++lag) {
+    mean[lag] = products.mean(lag);
+    missing[lag] = products.missing(lag);
+  }
   const Eigen::ArrayXd share = shares(products, lags);
   Window result;
-  const double variance_of_mean = (share * mean).sum() / (1 - share.sum());
-  result.rho = (mean + variance_of_mean) / (1 + variance_of_mean);
+  result.subtracted = (share * missing).sum();
+  result.missing = missing[0];
+  const double variance_of_mean = (share * mean).sum() / (1 - result.subtracted);
+  result.rho = (mean + missing * variance_of_mean) / (1 + missing[0] * variance_of_mean);
   const double time = count * (share * result.rho).sum();
   result.squares = 2 * result.rho.square().sum() - 1;
   result.low = std::clamp(2 * (time - result.squares) / count, -0.5, 0.5);
@@ -61,8 +68,12 @@ std::optional<Window> closed_window(LaggedProducts& products) {
     const Window now = window(products, lags);
     if (static_cast<double>(lags) >= window_over_time * now.time && !goes_on(now, products)) return now;
   }
-  if (products.all_lags()) return window(products, products.longest());
-  return {};
+  if (!products.all_lags()) return {};
+  const Window all = window(products, products.longest());
+  // Of runs of two values, their own means leave nothing.
+  constexpr double most_subtracted = 0.9;
+  if (all.subtracted > most_subtracted) return {};
+  return all;
 }
 
 // Relative variance of 2 tau of one series; h_j is even in j.
@@ -80,12 +91,11 @@ double variance_of_one(const Window& window, double count) {
   return 2 * sum / (count * std::pow(std::max(time, 1.0), 2));
 }
 
-// n V/(1 + V), with V the variance of the mean of a series.
+// n V/(1 + V), with V the variance of the mean of a series (missing once at lag 0).
 Eigen::ArrayXd own_times(const LaggedProducts& products, const Window& window,
                          const Eigen::ArrayXd& in_window) {
-  const double share = shares(products, window.lags()).sum();
-  const Eigen::ArrayXd variance_of_mean = in_window / (1 - share);
-  return products.count() / (1 - window.low) * variance_of_mean / (1 + variance_of_mean);
+  const Eigen::ArrayXd variance_of_mean = in_window / (1 - window.subtracted);
+  return products.count() / (1 - window.low) * variance_of_mean / (1 + window.missing * variance_of_mean);
 }
 
 // Relative variation of 2 tau between series.
@@ -125,8 +135,8 @@ double square_skewness(const LaggedProducts& products, double squares) {
 
 }  // namespace
 
-CorrelationTime correlation_time(Rows series, const std::vector<std::int64_t>& runs) {
-  LaggedProducts products(std::move(series), runs);
+CorrelationTime correlation_time(Rows series, const std::vector<std::int64_t>& runs, About about) {
+  LaggedProducts products(std::move(series), runs, about);
   CorrelationTime result;
   const std::optional<Window> window = closed_window(products);
   if (!window) return result;
@@ -135,7 +145,9 @@ CorrelationTime correlation_time(Rows series, const std::vector<std::int64_t>& r
   result.squares = window->squares;
   result.square_skewness = square_skewness(products, result.squares);
   result.independent_series = products.independent_series(result.squares);
-  const double of_one = variance_of_one(*window, products.count());
+  double of_one = variance_of_one(*window, products.count());
+  // Dividing by what means of short runs leave of the sum magnifies its error.
+  if (about == About::own_means) of_one /= std::pow(1 - window->subtracted, 2);
   const double of_all = of_one / result.independent_series;
   const Eigen::ArrayXd in_window = products.sums_of_series(window->lags());
   const Eigen::ArrayXd relative = own_times(products, *window, in_window) / result.time;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "model/table.h"
+#include "statistics/lagged_products.h"
 
 namespace mikromakro {
 
@@ -47,6 +47,10 @@ struct CorrelationTime {
 /// uncertainty) of its deviation, in variances (empirical Bayes as in Smyth2004); the rest of the scatter is
 /// unknown. 2 tau is never below 1. A series that keeps fluctuating slowly beyond the window, by four
 /// standard errors more than all series do, has no value (nan): a slow one among many fast ones.
-CorrelationTime correlation_time(Rows series, const std::vector<std::int64_t>& runs);
+///
+/// About the means of the runs, the products at lag k lack sum_r (n_r - k)/n_r n/N_k times V in place of V,
+/// with n_r values in run r; lags go to half of the longest run.
+CorrelationTime correlation_time(Rows series, const std::vector<std::int64_t>& runs,
+                                 About about = About::common_mean);
 
 }  // namespace mikromakro

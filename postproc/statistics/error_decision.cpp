@@ -42,7 +42,8 @@ ErrorDecision decide(const CorrelationTime& correlation, double count) {
   decision.needed = needed_samples(correlation, count);
   decision.unlike = correlation.unknown_scatter > most_unknown;
   const double of_time = correlation.uncertainty_of_series;
-  decision.freedom = 2 / (2 * correlation.squares / count + of_time * of_time);
+  // The mean of all values, which is subtracted, takes one degree of freedom.
+  decision.freedom = 2 / (2 * correlation.squares / (count - 1) + of_time * of_time);
   decision.given =
       decision.samples >= decision.needed && !decision.unlike && decision.freedom >= least_freedom;
   if (!decision.given) return decision;
@@ -51,6 +52,18 @@ ErrorDecision decide(const CorrelationTime& correlation, double count) {
   const double too_small = near * (1 - 1 / may_be) * correlation.uncertainty;
   decision.widening = student_width(decision.freedom) * std::sqrt(1 + too_small) *
                       skewed_width(correlation.square_skewness, decision.samples);
+  return decision;
+}
+
+ErrorDecision decide_by_runs(double freedom) {
+  ErrorDecision decision;
+  decision.by_runs = true;
+  decision.samples = freedom + 1;
+  decision.needed = 1 + least_freedom;
+  decision.freedom = freedom;
+  constexpr double rounding = 1e-9;
+  decision.given = decision.freedom > least_freedom - rounding;
+  if (decision.given) decision.widening = student_width(decision.freedom);
   return decision;
 }
 

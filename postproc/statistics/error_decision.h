@@ -10,10 +10,11 @@ namespace mikromakro {
 /// would favour those whose correlation time came out too small.
 struct ErrorDecision {
   bool given = false;
-  bool unlike = false;  ///< no errors, because 2 tau varies between series by more than their uncertainty
-  double samples = 0;   ///< effective samples, n/(2 tau)
-  double needed = 0;    ///< minimum required for an error
-  double freedom = 0;   ///< degrees of freedom of the error
+  bool unlike = false;   ///< no errors, because 2 tau varies between series by more than their uncertainty
+  bool by_runs = false;  ///< only the spread of runs tells: decide_by_runs
+  double samples = 0;    ///< effective samples, n/(2 tau); by runs, their effective number
+  double needed = 0;     ///< minimum required for an error
+  double freedom = 0;    ///< degrees of freedom of the error
   double widening = 1;
 };
 
@@ -33,6 +34,11 @@ struct ErrorDecision {
 /// 2/freedom; errors are multiplied by `widening` so that one standard error covers 68.3 % and 1.96 of them
 /// 95 %, as well as one number can (student_width, skewed_width). No errors below three degrees of freedom.
 ErrorDecision decide(const CorrelationTime& correlation, double count);
+
+/// For runs that differ by more than their frames tell, or change as slowly as they last: errors come from
+/// the spread of the runs, of `freedom` degrees of freedom, if these are three or more. `samples` is freedom
+/// + 1.
+ErrorDecision decide_by_runs(double freedom);
 
 /// Mean of the t quantile of 68.27 % and that of 95 % over 1.96.
 double student_width(double freedom);

@@ -17,11 +17,26 @@ void in_bundles(Eigen::Index count, Do work) {
   for (Eigen::Index first = 0; first < count; first += bundle) work(first, std::min(bundle, count - first));
 }
 
-Rows standardised(Rows series) {
+std::vector<Eigen::Index> lengths_of(const std::vector<std::int64_t>& runs) {
+  std::vector<Eigen::Index> lengths;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (i == 0 || runs[i] != runs[i - 1]) lengths.push_back(0);
+    ++lengths.back();
+  }
+  return lengths;
+}
+
+// About the mean of each of these stretches.
+Rows standardised(Rows series, const std::vector<Eigen::Index>& stretches) {
   in_bundles(series.cols(), [&](Eigen::Index first, Eigen::Index count) {
     auto some = series.middleCols(first, count);
-    const Row mean = some.colwise().mean();
-    some.rowwise() -= mean;
+    Eigen::Index begin = 0;
+    for (const Eigen::Index length : stretches) {
+      auto stretch = some.middleRows(begin, length);
+      const Row mean = stretch.colwise().mean();
+      stretch.rowwise() -= mean;
+      begin += length;
+    }
     const Row inverse = some.square().colwise().mean().rsqrt();
     some.rowwise() *= inverse;
   });
@@ -53,21 +68,34 @@ double mean_square_correlation(const Eigen::MatrixXd& series) {
 
 }  // namespace
 
-LaggedProducts::LaggedProducts(Rows series, const std::vector<std::int64_t>& runs)
-    : deviation_(standardised(std::move(series))),
+LaggedProducts::LaggedProducts(Rows series, const std::vector<std::int64_t>& runs, About about)
+    : LaggedProducts(lengths_of(runs), std::move(series), about) {}
+
+LaggedProducts::LaggedProducts(const std::vector<Eigen::Index>& run_lengths, Rows series, About about)
+    : about_(about),
+      deviation_(standardised(std::move(series), about == About::own_means
+                                                     ? run_lengths
+                                                     : std::vector<Eigen::Index>{series.rows()})),
       some_(some_of(deviation_)),
+      run_lengths_(run_lengths),
+      longest_run_(*std::max_element(run_lengths.begin(), run_lengths.end())),
       square_correlation_(mean_square_correlation(some_)) {
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (i == 0 || runs[i] != runs[i - 1]) run_lengths_.push_back(0);
-    longest_run_ = std::max(longest_run_, ++run_lengths_.back());
-  }
   longest_ = std::min(deviation_.rows() / 4, longest_run_ - 1);
+  if (about_ == About::own_means) longest_ = std::min(longest_, longest_run_ / 2);
 }
 
 double LaggedProducts::pairs(Eigen::Index lag) const {
   Eigen::Index pairs = 0;
   for (const Eigen::Index length : run_lengths_) pairs += std::max(length - lag, Eigen::Index{0});
   return static_cast<double>(pairs);
+}
+
+double LaggedProducts::missing(Eigen::Index lag) const {
+  if (about_ == About::common_mean) return 1;
+  double shares = 0;
+  for (const Eigen::Index length : run_lengths_)
+    shares += static_cast<double>(std::max(length - lag, Eigen::Index{0})) / static_cast<double>(length);
+  return shares * count() / pairs(lag);
 }
 
 double LaggedProducts::sum(Eigen::Index lag) const {

@@ -33,7 +33,8 @@ def section():
     base, base_cost = scene.over_seeds(folders["spring"]), np.median(cost["spring"])
     yield (f"{scene.cell.run}, t_c/54, {scene.cell.measure_time} s of shear after {scene.cell.discard_time} s, means and standard errors of "
            f"{len(scene.cell.seeds)} seeds; in brackets the difference from the base in per cent and in units "
-           f"of its standard error ({scene.of_seeds(len(scene.cell.seeds))}). Processor time of the whole run per step, output included: median (least to most) of the seeds, which ran in turn. "
+           f"of its standard error ({scene.of_seeds(len(scene.cell.seeds))}; of {(len(EFFECTS) - 1) * len(scene.PLAIN)} comparisons "
+           f"{0.05 * (len(EFFECTS) - 1) * len(scene.PLAIN):.0f} are beyond by chance). Processor time of the whole run per step, output included: median (least to most) of the seeds, which ran in turn. "
            "What each effect costs in the pair loop: "
            "[performance](../performance.md), `build/bin/effects_bench`.")
     yield ""

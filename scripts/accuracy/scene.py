@@ -205,7 +205,8 @@ def section():
     yield ""
     yield (f"Where trajectories have lost their memory only means count. {cell.run}, Eq. 1, {cell.measure_time} s of shear after {cell.discard_time} "
            f"s; means and standard errors of {len(cell.seeds)} seeds, "
-           f"in brackets the difference from t_c/{STEPS[-1]}, in per cent and in units of its standard error ({of_seeds(len(cell.seeds))}). Grey: 1 % about t_c/{STEPS[-1]}. "
+           f"in brackets the difference from t_c/{STEPS[-1]}, in per cent and in units of its standard error ({of_seeds(len(cell.seeds))}; "
+           f"of {(len(STEPS) - 1) * len(PLAIN)} comparisons {'one is' if round(0.05 * (len(STEPS) - 1) * len(PLAIN)) == 1 else 'some are'} beyond by chance). Grey: 1 % about t_c/{STEPS[-1]}. "
            f"Numbers: [accuracy_answers.csv](accuracy_answers.csv).")
     yield ""
     yield from changes(found)

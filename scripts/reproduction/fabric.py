@@ -71,10 +71,10 @@ def bild6():
         axes.legend(fontsize=7)
     draw_directions(right, profiles.box(bidisperse()))
     sheet.save_picture(drawing, "bild6")
-    sheet.save_numbers("bild6", kept, ["ratio: tr F/(g_2 nu C), 1 where Eq. 10 holds, mean and standard error of four samples (3 degrees of freedom: 3.2 errors are an interval of 95 %); carriers: the "
+    sheet.save_numbers("bild6", kept, ["ratio: tr F/(g_2 nu C), 1 where Eq. 10 holds, mean and standard deviation over 2 of four samples, which are four conditions (two pressures, with and without friction) and no replicates: their spread is mostly the effect of these (as of replicates, 3.2 of it would be an interval of 95 %); carriers: the "
                                        "same with nu, C, g_2 of the discs that have contacts; rows: half width in % of eight uniform distributions of radii, then the ratio of two sizes"])
     return ("Trace of the fabric tensor over g_2, over the solid fraction times the mean number of contacts (number-averaged), for eleven distributions of radii and "
-            "four samples each (two pressures, with and without friction), 600 discs; in the legend tr F/(g_2 nu C), mean and standard error of the four. Eq. 10 is the dashed "
+            "four samples each (two pressures, with and without friction), 600 discs; in the legend tr F/(g_2 nu C), mean of the four and their standard deviation over 2; they are conditions, no replicates. Eq. 10 is the dashed "
             f"line: it takes a disc's contacts to grow with its share of the horizon. Left: all discs; {said(kept, 'ratio')}. Discs without contacts, most of them small, do not "
             f"follow. Middle: discs that carry contacts, with their own solid fraction, number of contacts and g_2; {said(kept, 'ratio_of_carriers')}. Right: directions of the contacts of the bidisperse "
             "sample 1:3, with the isotropic part, the first and the second harmonic.")
@@ -84,7 +84,7 @@ def said(kept, name):
     """How far the samples are from Eq. 10."""
     off = 100 * (np.array(kept[name]) - 1)
     error = 100 * np.array(kept[name + "_err"])
-    return f"Eq. 10 is missed by {off.min():+.1f} to {off.max():+.1f} %, {np.sum(np.abs(off) > 3.18 * error)} of {len(off)} distributions beyond the interval of 95 %"
+    return f"Eq. 10 is missed by {off.min():+.1f} to {off.max():+.1f} %, {np.sum(np.abs(off) > 3.18 * error)} of {len(off)} distributions by more than 3.2 of these"
 
 
 def draw_directions(axes, columns):

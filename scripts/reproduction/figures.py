@@ -184,7 +184,7 @@ def bild11():
         sheets[1].set(ylabel="$\\omega^* = \\omega - W_{r\\phi}$ (1/s)", xlim=(0, 60))
 
     over_densities("bild11", "viscous", draw_one, 2, ["spin", "omega_excess"])
-    return "Spin density (left) and excess rotation (right) near the wheel, 60 rings, Eq. 1: the sign alternates from layer to layer."
+    return "Spin density (left) and excess rotation (right) near the wheel, 60 rings, Eq. 1: the sign alternates between the first two layers; farther out the excess is not told from 0."
 
 
 @figure("bild12", "Bild 12: rotational stiffness", densities("cundall_strack"))

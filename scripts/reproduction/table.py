@@ -151,11 +151,14 @@ def fabric_factor():
     made = [fabric.sample(run) for run in SAMPLES]
     remark = f"{len(made)} samples of 600 discs at rest under 200 N/m"
     carriers = over_seeds([one.g2_of_carriers for one in made])
+    # g_2 of these discs varies from sample to sample with tr F/(nu C).
+    apart = over_seeds([one.fabric / one.product_of_carriers - one.g2_of_carriers for one in made])
     return [["g_2 of the radii, 1:3", "1.223", f"{made[0].g2:.4f}", "Eq. 10, half of the discs of either radius"],
             ["tr F/(nu C), radii 1:3, all discs", "1.223", cell(*over_seeds([one.fabric / one.product for one in made]), 1.223, 3), remark],
             ["g_2 of the discs that carry contacts, 1:3", "-", cell(*carriers, None, 3), f"{100 * np.mean([one.share_of_carriers for one in made]):.0f} % of the discs"],
             ["tr F/(nu C), radii 1:3, discs that carry contacts", f"{carriers[0]:.3f} (its g_2)",
-             cell(*over_seeds([one.fabric / one.product_of_carriers for one in made]), carriers[0], 3), "the same samples; nu and C of these discs alone"]]
+             cell(*over_seeds([one.fabric / one.product_of_carriers for one in made]), None, 3),
+             f"the same samples; nu and C of these discs alone; {apart[0]:+.3f} ± {apart[1]:.3f} from the g_2 of the same samples (paired)"]]
 
 
 def angle(run, tensor):
@@ -247,7 +250,7 @@ def between_packings():
     fits = [profiles.fit(run, 60) for run in packings.packings()]
     known = sum(fit["v0_err"] is not None for fit in fits)
     return ["chi^2 per degree of freedom of v0; s of the packings, run B, Eq. 1", "-", "; ".join(f"{chi_square(fits, key):.1f}" for key in ("v0", "s")),
-            f"{known} of {len(fits)} seeds whose fits have errors, in the standard errors of one run each; above 1: packings differ by more than one run can know"]
+            f"{known} of {len(fits)} seeds whose fits have errors, about their weighted mean, in the standard errors of one run each (the figure of the packings has each less the mean of the others, per value); above 1: packings differ by more than one run can know"]
 
 
 GROUPS["trends"] = Group("the table's trends", [run for law in LAWS for run in (run_b(law), *ladder(LAW_NAMES[law]))], trends)

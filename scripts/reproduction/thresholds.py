@@ -56,7 +56,7 @@ def thresholds(case):
 
 def rows():
     """For the table: both thresholds of every case."""
-    remarks = ("below: nothing touches the wheel for more than half of the time", "above: the second layer moves at less than 0.15 of the wheel")
+    remarks = ("below: nothing touches the wheel for more than half of the time; ± half the distance of the two densities between which it lies, no standard error", "above: the second layer moves at less than 0.15 of the wheel; ± half the distance of the two densities between which it lies, no standard error")
     found = {case: thresholds(case) for case in CASES}
     return [[f"{name} density, {case}", "-", found[case][k], remarks[k]] for k, name in enumerate(("stress-free", "frozen")) for case in CASES]
 
@@ -82,8 +82,8 @@ def draw_thresholds():
     sheet.save_numbers("thresholds", kept, ["means over a third of a turn, of run B over 60 s; errors of three packings, of the pressures of a single one those of ten blocks"])
     return ("Pressure on the wheel (left), and the angular velocity of the second layer of discs over that of the wheel (right), over the density of the cell: "
             + "; ".join(f"{case}: {low} and {high}" for case, (low, high) in ((case, thresholds(case)) for case in CASES))
-            + " (the density up to which it is stress-free and that from which on it is frozen: the middle between two densities, and half of their "
-            "distance). Stress-free: nothing touches the wheel in more than half of all intervals of "
+            + " (the density up to which it is stress-free and that from which on it is frozen: the middle between two densities ± half of their "
+            "distance, which is no standard error). Stress-free: nothing touches the wheel in more than half of all intervals of "
             "10 ms; these points are left out on the right. Frozen: the second layer moves at less than 0.15 of the wheel (dotted), half of its rate in run B. "
             "Under the springs the pressure jumps with the first density that carries a load, and from there on packings differ: means and standard errors of three there, one "
             "elsewhere. But for run B a third of a turn is discarded and a third averaged.")

@@ -92,6 +92,55 @@ void two_scales() {
   }
 }
 
+// A part of the variance is AR(1) of a correlation that lasts as long as the run, the rest white.
+void slow_parts() {
+  constexpr Eigen::Index volumes = 20;
+  if (!head(fmt::format("Slow parts, a field of {} series (2 tau of the slow part)", volumes))) return;
+  for (const double slow : {0.1, 0.3, 0.5}) {
+    for (const double rho : {0.95, 0.98, 0.995}) {
+      for (const int frames : {41, 100, 200}) {
+        Trials scene;
+        scene.truth = Rows::Zero(volumes, 1);
+        scene.run = [=](auto& random) {
+          std::vector<Rows> series = CorrelatedNoise(rho, volumes, 1)(frames, random);
+          const std::vector<Rows> fast = CorrelatedNoise(0, volumes, 1)(frames, random);
+          for (std::size_t i = 0; i < series.size(); ++i)
+            series[i] = std::sqrt(slow) * series[i] + std::sqrt(1 - slow) * fast[i];
+          return series;
+        };
+        fmt::print("| {:.1f} of correlation {} | {} | {:.1f} | {} |\n", slow, rho, frames,
+                   frames / two_tau(rho), both(scene, errors_one_by_one, errors_of_field));
+      }
+    }
+  }
+}
+
+// One volume that is AR(1) among nineteen of white noise.
+void one_slow() {
+  constexpr Eigen::Index volumes = 20;
+  if (!head("One slow volume of twenty (of which errors are counted), the others white")) return;
+  for (const double rho : {0.8, 0.9, 0.98}) {
+    for (const int frames : {20, 40, 80, 200}) {
+      Trials scene;
+      scene.truth = Rows::Zero(1, 1);
+      scene.run = [=](auto& random) {
+        std::vector<Rows> series = CorrelatedNoise(0, volumes, 1)(frames, random);
+        const std::vector<Rows> slow = CorrelatedNoise(rho, 1, 1)(frames, random);
+        for (std::size_t i = 0; i < series.size(); ++i) series[i](0, 0) = slow[i](0, 0);
+        return series;
+      };
+      const auto part = [](const MakeErrors& errors) {
+        return [errors](const TimeAverage& average, const Solver&) {
+          return Rows(errors(average, [](const Rows& sums) { return sums; }).topRows(1));
+        };
+      };
+      scene.solve = [](const Rows& sums) { return Rows(sums.topRows(1)); };
+      fmt::print("| correlation {} | {} | {:.1f} | {} |\n", rho, frames, frames / two_tau(rho),
+                 both(scene, part(errors_one_by_one), part(errors_of_field)));
+    }
+  }
+}
+
 // Ten volumes of correlation 0 and ten of 0.7, as a field of one column; then each half alone.
 void unlike() {
   constexpr Eigen::Index half = 10;
@@ -154,6 +203,44 @@ void other_noise() {
   }
 }
 
+// White noise of standard deviation 1 and an offset of each run, as of packings: of all volumes, or of each
+// of them. frames/(2 tau) of the frames alone.
+void runs_that_differ() {
+  constexpr Eigen::Index volumes = 20;
+  if (!head(fmt::format("Runs that differ, a field of {} series (frames of all runs)", volumes))) return;
+  struct Of {
+    std::vector<int> lengths;
+    double offset;
+    bool shared;
+  };
+  const std::vector<int> one_long = {200, 20, 20, 20, 20, 20, 20, 20};
+  for (const Of& of :
+       {Of{{100, 100}, 0.2, true}, Of{{100, 100}, 0.5, true}, Of{{100, 100}, 0.5, false},
+        Of{{100, 100, 100}, 0.2, true}, Of{{100, 100, 100}, 0.5, true}, Of{{100, 100, 100}, 0.5, false},
+        Of{{100, 100, 100, 100}, 0.2, true}, Of{{100, 100, 100, 100}, 0.5, true},
+        Of{{100, 100, 100, 100}, 0.5, false}, Of{std::vector<int>(8, 50), 0.5, true},
+        Of{std::vector<int>(8, 50), 0.5, false}, Of{std::vector<int>(8, 100), 3, true}, Of{one_long, 0, true},
+        Of{one_long, 0.5, true}, Of{one_long, 0.5, false}}) {
+    Trials scene;
+    scene.truth = Rows::Zero(volumes, 1);
+    scene.lengths = of.lengths;
+    scene.run_of = [=](int frames, auto& random) {
+      std::normal_distribution<double> normal(0, of.offset);
+      const double shared = normal(random);
+      const Rows off = Rows::NullaryExpr(volumes, 1, [&] { return of.shared ? shared : normal(random); });
+      std::vector<Rows> series = CorrelatedNoise(0, volumes, 1)(frames, random);
+      for (Rows& frame : series) frame += off;
+      return series;
+    };
+    int frames = 0;
+    for (const int length : of.lengths) frames += length;
+    line(fmt::format("{} runs of {}{}, offsets {} {}", of.lengths.size(), of.lengths.front(),
+                     of.lengths.front() == of.lengths.back() ? "" : fmt::format(" to {}", of.lengths.back()),
+                     of.offset, of.shared ? "of all volumes" : "of each"),
+         frames, 1, scene);
+  }
+}
+
 void several_runs() {
   constexpr Eigen::Index volumes = 20;
   if (!head(
@@ -181,8 +268,11 @@ int main(int argc, char** argv) {
   if (wanted == "fit") return 0;
   for (const Eigen::Index volumes : {20, 4, 1}) correlated(volumes);
   two_scales();
+  slow_parts();
+  one_slow();
   unlike();
   solved();
   several_runs();
+  runs_that_differ();
   other_noise();
 }

@@ -266,21 +266,60 @@ TEST(BlockErrors, AreNanForVolumesThatAreSeldomOccupied) {
   EXPECT_TRUE(errors.error.bottomRows(count - always).isNaN().all());
 }
 
-// White noise of twenty volumes in eight runs: chi^2 is 1, with 20 x 7 degrees of freedom to 0.12: three
-// times that. Runs that are one standard deviation off from one another by turns, 25 frames each: 1 + 25
-// 8/7/4 and more of what it adds to the variance, 1.25.
+// Twenty volumes of white noise in `lengths.size()` runs, which are off by `offset` by turns.
+TimeAverage runs_that_differ(const std::vector<int>& lengths, double offset, std::mt19937_64& random) {
+  TimeAverage average(1024);
+  for (std::size_t run = 0; run < lengths.size(); ++run)
+    for (const Rows& rows : CorrelatedNoise(0, 20, 1)(lengths[run], random))
+      average.add(rows + (run % 2 == 0 ? offset : -offset), static_cast<std::int64_t>(run));
+  return average;
+}
+
+// Eight runs of 25 frames: chi^2 is 1 + 25 8/7 d^2 for runs that are off by d and -d by turns, whatever they
+// are off by. Twenty volumes of 7 degrees of freedom scatter by 0.12, offsets by sqrt(2 (140 + 2 25 8 20
+// d^2))/140 of chi^2: 0.06 and less; the variance of 192 values by 0.02: three times that, and 0.04 for 2
+// tau.
 TEST(BlockErrors, TellHowRunsDiffer) {
   std::mt19937_64 random(4);
-  for (const double offset : {0.0, 0.5}) {
-    TimeAverage average(200);
-    for (std::int64_t run = 0; run < 8; ++run)
-      for (const Rows& rows : CorrelatedNoise(0, 20, 1)(25, random))
-        average.add(rows + (run % 2 == 0 ? offset : -offset), run);
+  for (const double offset : {0.0, 0.5, 3.0}) {
+    const TimeAverage average = runs_that_differ(std::vector<int>(8, 25), offset, random);
     const FieldErrors made = errors_of(average, same).fields[0];
     ASSERT_TRUE(made.decision.given);
-    const double variance = made.correlation.time * (1 + offset * offset);
-    const double expected = (1 + 25 * offset * offset * 8 / 7) / variance;
-    EXPECT_NEAR(made.between_runs / expected, 1, 0.36) << offset;
+    EXPECT_EQ(made.decision.by_runs, offset > 0);
+    EXPECT_NEAR(made.between.chi_square / (1 + 25 * 8 * offset * offset / 7), 1, offset > 0 ? 0.22 : 0.4);
+    EXPECT_FALSE(made.between.repeat());
+  }
+}
+
+// Errors of runs that differ are those of their spread: of means 1, -1 by turns and little noise, sqrt(8/7/8)
+// times the width of Student's t of seven degrees of freedom. Three runs do not tell, nor do runs of which
+// one is nearly all.
+TEST(BlockErrors, OfRunsThatDifferAreOfTheirSpread) {
+  std::mt19937_64 random(4);
+  const Solver shrink = [](const Rows& sums) { return Rows(1 + 1e-3 * sums); };
+  const BlockErrors errors = errors_of(runs_that_differ(std::vector<int>(8, 25), 1e3, random), shrink);
+  EXPECT_NEAR(errors.error(0, 0) / (student_width(7) * std::sqrt(1.0 / 7)), 1, 1e-3);
+  EXPECT_EQ(errors.fields[0].decision.freedom, 7);
+  expect_measured(errors.effective_samples()[0], 8, rounding);
+  for (const std::vector<int>& lengths :
+       {std::vector<int>{100, 100, 100}, std::vector<int>{400, 20, 20, 20}}) {
+    const BlockErrors none = errors_of(runs_that_differ(lengths, 1, random), same);
+    EXPECT_FALSE(none.any());
+    EXPECT_TRUE(none.fields[0].decision.by_runs);
+  }
+}
+
+// A run that is there twice, among others, with other numbers of its steps or fewer digits.
+TEST(BlockErrors, TellThatOneRunIsThereTwice) {
+  std::mt19937_64 random(4);
+  std::vector<std::vector<Rows>> runs;
+  for (int run = 0; run < 4; ++run) runs.push_back(CorrelatedNoise(0.5, 20, 1)(50, random));
+  for (const bool twice : {false, true}) {
+    TimeAverage average(1024);
+    for (std::size_t run = 0; run < 4; ++run)
+      for (const Rows& rows : runs[twice && run == 3 ? 1 : run])
+        average.add((1e5 * rows).round() / 1e5, static_cast<std::int64_t>(run));
+    EXPECT_EQ(errors_of(average, same).fields[0].between.repeat(), twice);
   }
 }
 

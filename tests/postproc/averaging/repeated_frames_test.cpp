@@ -25,6 +25,25 @@ TEST(RepeatedFrames, AreKnownByTheirSumsWithinTheDigitsOfADump) {
   EXPECT_FALSE(frames.add(frame(2, 200, 6, 4)));       // the same total elsewhere
 }
 
+// Velocities alone are three sums: two that move and agree to all digits, which numbers of discs do by
+// chance.
+TEST(RepeatedFrames, AreKnownByTwoSumsToAllDigits) {
+  for (const bool whole : {false, true}) {
+    for (const double digits : {0.0, 1e-6}) {
+      RepeatedFrames frames;
+      for (const std::int64_t run : {0, 1}) {
+        for (const std::int64_t step : {100, 200}) {
+          const double change =
+              static_cast<double>(step) / (whole ? 100 : 700) + digits * static_cast<double>(run);
+          FrameSums two = frame(run, step, 3 + change, 5 + change);
+          two.sums.col(1).setZero();
+          EXPECT_EQ(frames.add(two), !whole && digits == 0 && run == 1 && step == 200);
+        }
+      }
+    }
+  }
+}
+
 // Two packings of the same discs have the same solid fraction where a volume holds all of them.
 TEST(RepeatedFrames, AreNotKnownByFewSums) {
   RepeatedFrames frames;

@@ -57,8 +57,9 @@ TEST(FitErrors, OfEightRunsAreThoseOfTheirMeans) {
   EXPECT_LT(errors.error[1], 1e-10 * s);
 }
 
-// Eight runs, one of two blocks, seven of one: shares 2/9 and 1/9, sum w^2 = 11/81, as 81/11 equal ones. With
-// 1 + x of v0, the mean is that of all blocks.
+// Eight runs, one of two blocks, seven of one: shares 2/9 and 1/9, sum w^2 = 11/81, sum w^3 = 15/729: (1 -
+// 11/81)^2/(11/81 - 30/729 + (11/81)^2) = 4900/742 degrees of freedom. With 1 + x of v0, the mean is that of
+// all blocks.
 TEST(FitErrors, OfRunsOfUnequalLength) {
   const std::vector<double> x = {-0.03, -0.03, -0.02, -0.01, 0, 0.01, 0.02, 0.03, 0.04};
   const FitErrors errors = errors_from_blocks(fit(profile()), in_step(x, {0, 0, 1, 2, 3, 4, 5, 6, 7}), fit);
@@ -68,7 +69,7 @@ TEST(FitErrors, OfRunsOfUnequalLength) {
   constexpr double squares = 11.0 / 81;
   const double error = v0 * std::sqrt(squares * square / (1 - squares));
   EXPECT_EQ(errors.method, "jackknife of runs");
-  expect_measured(errors.freedom, 81.0 / 11 - 1, 1e-12);
+  expect_measured(errors.freedom, 4900.0 / 742, 1e-12);
   expect_measured(errors.half_width[0] / (student_t(0.95, errors.freedom) * error), 1, 1e-8);
 }
 
@@ -110,8 +111,8 @@ TEST(FitErrors, AreNotGivenWhereTheyCannotBeKnown) {
 }
 
 // Rings that all err by the same share are the whole profile times 1 + x, whose v0 errs by that share: the
-// bound is not below it, and for other signs not exceeded.
-TEST(FitErrors, OfRingsAreUpperBounds) {
+// error is not below it.
+TEST(FitErrors, OfRingsAreAsIfAllActedInOneDirection) {
   const ExponentialProfile fitted = fit(profile());
   const FitErrors errors = errors_from_rings(fitted, 0.01 * profile());
   for (Eigen::Index k = 0; k < 2; ++k) {

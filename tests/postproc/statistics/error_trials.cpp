@@ -11,8 +11,11 @@ TimeAverage average_of(const Trials& trials, std::mt19937_64& random) {
   constexpr std::size_t numbers = 60;  // that a table sums in each volume
   const auto volumes = static_cast<std::size_t>(trials.truth.rows());
   TimeAverage average(trials.blocks > 0 ? trials.blocks : suitable_blocks(numbers * volumes));
-  for (int run = 0; run < trials.runs; ++run)
+  for (int run = 0; trials.run && run < trials.runs; ++run)
     for (const Rows& frame : trials.run(random)) average.add(frame, run);
+  for (std::size_t run = 0; run < trials.lengths.size(); ++run)
+    for (const Rows& frame : trials.run_of(trials.lengths[run], random))
+      average.add(frame, static_cast<std::int64_t>(run));
   return average;
 }
 

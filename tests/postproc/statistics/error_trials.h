@@ -16,6 +16,9 @@ using MakeRun = std::function<std::vector<Rows>(std::mt19937_64&)>;
 struct Trials {
   MakeRun run;
   int runs = 1;  ///< that are averaged together
+  /// Instead of `run` and `runs`: runs of these numbers of frames.
+  std::vector<int> lengths;
+  std::function<std::vector<Rows>(int frames, std::mt19937_64&)> run_of;
   Solver solve;  ///< empty: the sums themselves
   Rows truth;    ///< of what is solved
   int count = 500;
