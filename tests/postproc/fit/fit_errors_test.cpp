@@ -83,6 +83,29 @@ TEST(FitErrors, AreNotOfRunsWhereOneIsMostOfThem) {
   EXPECT_NE(errors_from_blocks(fit(profile()), in_step(x, runs), fit).method, "jackknife of runs");
 }
 
+// Runs of thirty blocks of noise of 1 % whose means are 10 % apart: four have the errors of their spread, 0,
+// 1, 2, 3 tenths with a variance of 5/3, three have none.
+TEST(FitErrors, OfRunsThatDifferAreOfTheirSpreadOrNone) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  for (const int count : {3, 4}) {
+    std::vector<double> x;
+    std::vector<std::int64_t> runs;
+    for (int i = 0; i < 30 * count; ++i) {
+      runs.push_back(i / 30);
+      x.push_back(0.1 * static_cast<double>(i / 30) + 0.01 * normal(random));
+    }
+    const FitErrors errors = errors_from_blocks(fit(profile()), in_step(x, runs), fit);
+    EXPECT_NE(errors.remark.find("runs that differ by more than their frames tell"), std::string::npos)
+        << errors.remark;
+    EXPECT_EQ(errors.method, count == 3 ? "none" : "jackknife of runs");
+    if (count == 3) continue;
+    EXPECT_EQ(errors.freedom, 3);
+    // The noise of 120 blocks: 2 % of the spread.
+    EXPECT_NEAR(errors.half_width[0] / (student_t(0.95, 3) * v0 * 0.1 * std::sqrt(5.0 / 3 / 4)), 1, 0.05);
+  }
+}
+
 // v0 and s change together as d v0/d v_i and d s/d v_i say: noise in one ring alone is a correlation of -1 or
 // 1, of that sign. A single series knows 2 tau from 600 blocks.
 TEST(FitErrors, CorrelationOfBothIsThatOfTheFit) {
