@@ -39,13 +39,6 @@ CarriedDiscs::CarriedDiscs(DiscLaw& law) : packed_(law.packed_) {
   law.complete_step();
 }
 
-void CarriedDiscs::carry(int i, const physics::PlaneVector& place, const physics::PlaneVector& velocity,
-                         double spin) {
-  auto& row = packed_.discs[i];
-  row.move_to(place.x, place.y);
-  row.set_motion(velocity.x, velocity.y, spin);
-}
-
 void CarriedDiscs::moved_by(double at_most) {
   packed_.furthest = std::max(packed_.furthest, at_most);
 }

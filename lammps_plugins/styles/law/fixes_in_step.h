@@ -3,10 +3,8 @@
 // objects completes the contacts of the step, so loads and rows cannot be reached before they are whole.
 #pragma once
 
-#include <vector>
-
+#include "law/packed_discs.h"
 #include "physics/math/plane_vector.h"
-#include "physics/rows/disc_rows.h"
 
 namespace LAMMPS_NS {
 class Atom;
@@ -15,7 +13,6 @@ class Atom;
 namespace mikromakro::styles {
 
 class DiscLaw;
-struct PackedDiscs;
 
 /// Adds forces of fixes to those of the contacts, behind all contacts: in the packed loads while the step is
 /// open, in the engine's arrays otherwise, with the same sums in both.
@@ -40,8 +37,12 @@ class CarriedDiscs {
  public:
   explicit CarriedDiscs(DiscLaw& law);
 
-  /// The owned disc i; place [m], velocity [m/s], spin [1/s].
-  void carry(int i, const physics::PlaneVector& place, const physics::PlaneVector& velocity, double spin);
+  /// The owned disc i; place [m], velocity [m/s], spin [1/s]. Inline: called for each disc of a ring.
+  void carry(int i, const physics::PlaneVector& place, const physics::PlaneVector& velocity, double spin) {
+    auto& row = packed_.discs[i];
+    row.move_to(place.x, place.y);
+    row.set_motion(velocity.x, velocity.y, spin);
+  }
   /// Call with an upper bound of their displacement in this step [m], which ages the neighbour list.
   void moved_by(double at_most);
 
