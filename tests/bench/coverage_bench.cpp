@@ -72,42 +72,40 @@ void correlated(Eigen::Index volumes) {
 }
 
 // A part `slow` of the variance is AR(1) of correlation 0.9, the rest white.
+// A part of the variance is AR(1), the rest white.
+Trials partly_slow(double slow, double rho, Eigen::Index volumes, int frames) {
+  Trials scene;
+  scene.truth = Rows::Zero(volumes, 1);
+  scene.run = [=](auto& random) {
+    std::vector<Rows> series = CorrelatedNoise(rho, volumes, 1)(frames, random);
+    const std::vector<Rows> fast = CorrelatedNoise(0, volumes, 1)(frames, random);
+    for (std::size_t i = 0; i < series.size(); ++i)
+      series[i] = std::sqrt(slow) * series[i] + std::sqrt(1 - slow) * fast[i];
+    return series;
+  };
+  return scene;
+}
+
 void two_scales() {
   constexpr Eigen::Index volumes = 20;
   constexpr double rho = 0.9;
   if (!head(fmt::format("Two time scales, a field of {} series", volumes))) return;
   for (const double slow : {0.9, 0.1}) {
     for (const int frames : {41, 64, 100, 200, 1000}) {
-      Trials scene;
-      scene.truth = Rows::Zero(volumes, 1);
-      scene.run = [=](auto& random) {
-        std::vector<Rows> series = CorrelatedNoise(rho, volumes, 1)(frames, random);
-        const std::vector<Rows> fast = CorrelatedNoise(0, volumes, 1)(frames, random);
-        for (std::size_t i = 0; i < series.size(); ++i)
-          series[i] = std::sqrt(slow) * series[i] + std::sqrt(1 - slow) * fast[i];
-        return series;
-      };
+      const Trials scene = partly_slow(slow, rho, volumes, frames);
       line(fmt::format("{:.1f} of correlation {}", slow, rho), frames, 1 - slow + slow * two_tau(rho), scene);
     }
   }
 }
 
-// A part of the variance is AR(1) of a correlation that lasts as long as the run, the rest white.
+// The correlation of the slow part lasts as long as the run.
 void slow_parts() {
   constexpr Eigen::Index volumes = 20;
   if (!head(fmt::format("Slow parts, a field of {} series (2 tau of the slow part)", volumes))) return;
   for (const double slow : {0.1, 0.3, 0.5}) {
     for (const double rho : {0.95, 0.98, 0.995}) {
       for (const int frames : {41, 100, 200}) {
-        Trials scene;
-        scene.truth = Rows::Zero(volumes, 1);
-        scene.run = [=](auto& random) {
-          std::vector<Rows> series = CorrelatedNoise(rho, volumes, 1)(frames, random);
-          const std::vector<Rows> fast = CorrelatedNoise(0, volumes, 1)(frames, random);
-          for (std::size_t i = 0; i < series.size(); ++i)
-            series[i] = std::sqrt(slow) * series[i] + std::sqrt(1 - slow) * fast[i];
-          return series;
-        };
+        const Trials scene = partly_slow(slow, rho, volumes, frames);
         fmt::print("| {:.1f} of correlation {} | {} | {:.1f} | {} |\n", slow, rho, frames,
                    frames / two_tau(rho), both(scene, errors_one_by_one, errors_of_field));
       }
