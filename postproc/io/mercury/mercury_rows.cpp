@@ -55,17 +55,20 @@ enum FstatSlot {
   nz_at,
   tx_at,
   ty_at,
+  tz_at,
   fstat_slots
 };
 
 FstatRow fstat_row(std::string_view line, const Place& place) {
   static const ColumnMap map{{-1, i_at, j_at, x_at, y_at, z_at, overlap_at, spring_at, fn_at, ft_at, nx_at,
-                              ny_at, nz_at, tx_at, ty_at, -1},
+                              ny_at, nz_at, tx_at, ty_at, tz_at},
                              0};
   std::array<double, fstat_slots> slots{};
   parse_row(line, map, slots, place);
   if (std::abs(slots[nz_at]) > in_plane)
     throw bad_input(place, "the contact is not in a plane", "n_z = 0", fmt::format("{}", slots[nz_at]));
+  if (std::abs(slots[tz_at]) > in_plane)
+    throw bad_input(place, "the tangent is not in the plane", "t_z = 0", fmt::format("{}", slots[tz_at]));
   return {as_integer(slots[i_at], "index", place),
           as_integer(slots[j_at], "index", place),
           slots[overlap_at],
