@@ -28,7 +28,6 @@ namespace mikromakro::styles {
 
 using namespace LAMMPS_NS;
 using physics::ContactParameters;
-using physics::Effects;
 using physics::Tangential;
 
 namespace {

@@ -14,7 +14,6 @@
 namespace mikromakro::styles {
 
 using LAMMPS_NS::Fix;
-using physics::Normal;
 using physics::Tangential;
 
 namespace {
