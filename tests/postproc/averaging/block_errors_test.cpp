@@ -312,8 +312,8 @@ TEST(BlockErrors, OfRunsThatDifferAreOfTheirSpread) {
 // A run that is there twice, among others, with other numbers of its steps or fewer digits.
 TEST(BlockErrors, TellThatOneRunIsThereTwice) {
   std::mt19937_64 random(4);
-  std::vector<std::vector<Rows>> runs;
-  for (int run = 0; run < 4; ++run) runs.push_back(CorrelatedNoise(0.5, 20, 1)(50, random));
+  std::vector<std::vector<Rows>> runs(4);
+  for (std::vector<Rows>& run : runs) run = CorrelatedNoise(0.5, 20, 1)(50, random);
   for (const bool twice : {false, true}) {
     TimeAverage average(1024);
     for (std::size_t run = 0; run < 4; ++run)
