@@ -91,9 +91,11 @@ TEST(FitErrors, OfRunsThatDifferAreOfTheirSpreadOrNone) {
   for (const int count : {3, 4}) {
     std::vector<double> x;
     std::vector<std::int64_t> runs;
-    for (int i = 0; i < 30 * count; ++i) {
-      runs.push_back(i / 30);
-      x.push_back(0.1 * static_cast<double>(i / 30) + 0.01 * normal(random));
+    for (int run = 0; run < count; ++run) {
+      for (int i = 0; i < 30; ++i) {
+        runs.push_back(run);
+        x.push_back(0.1 * run + 0.01 * normal(random));
+      }
     }
     const FitErrors errors = errors_from_blocks(fit(profile()), in_step(x, runs), fit);
     EXPECT_NE(errors.remark.find("runs that differ by more than their frames tell"), std::string::npos)
