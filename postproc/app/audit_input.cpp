@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/audit_input.h"
 
+#include <cmath>
+
+#include "app/coverage.h"
+#include "app/plausible_options.h"
 #include "app/progress.h"
 #include "app/runs_used.h"
 #include "app/warnings.h"
@@ -9,6 +13,14 @@
 #include "options/value_checks.h"
 
 namespace mikromakro {
+namespace {
+
+// Without volumes the audit is of the region between the walls.
+bool are_given(const VolumeOptions& volumes) {
+  return !(volumes.rings.empty() && volumes.edges.empty() && volumes.box.empty() && volumes.grid.empty());
+}
+
+}  // namespace
 
 void add_audit_options(CLI::App& app, AuditOptions& options) {
   add_input_options(app, options.input);
@@ -34,21 +46,24 @@ void add_audit_options(CLI::App& app, AuditOptions& options) {
   app.add_flag("--quiet", options.quiet, "no progress bar");
 }
 
-std::int64_t read_frames(const FrameSource& source, bool quiet,
-                         const std::function<void(const Frame&)>& take) {
-  Progress progress(total_size(source.files()), quiet);
+std::int64_t read_frames(const FrameSource& source, const AuditOptions& options, const TakeFrame& take) {
+  Progress progress(total_size(source.files()), options.quiet);
   FrameStream stream(source);
   Frame frame;
   std::int64_t frames = 0;
   RunsUsed runs(1 + source.further_runs.size());
   while (stream.next(frame)) {
-    take(frame);
-    runs.add(frame.run);
+    const bool covered = take(frame);
+    runs.add(frame.run, !covered);
+    if (!std::isnan(options.kn)) note_stiffness(frame, options.kn, *source.notes);
     progress.update(stream.bytes_read(), ++frames);
   }
   if (frames > 0) {
     note_unused_runs(source, runs);
     note_unlike_runs(source);
+    VolumeOptions volumes = options.volumes;
+    volumes.weight = "sliced";
+    if (runs.any_zero() && are_given(volumes)) note_empty_frames(source, volumes, runs.all_zero());
   }
   tell(*source.notes);
   if (frames == 0) throw source.no_frame_selected();

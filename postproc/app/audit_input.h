@@ -25,9 +25,12 @@ struct AuditOptions {
 
 void add_audit_options(CLI::App& app, AuditOptions& options);
 
+/// Adds a frame; whether any averaged disc lies in the volumes.
+using TakeFrame = std::function<bool(const Frame&)>;
+
 /// Passes the frames to `take` one by one and returns their number. Throws on read errors, and if no frame
-/// was selected.
-std::int64_t read_frames(const FrameSource& source, bool quiet,
-                         const std::function<void(const Frame&)>& take);
+/// was selected; notes runs and frames without discs in the volumes, and a k_n of another order than the
+/// forces.
+std::int64_t read_frames(const FrameSource& source, const AuditOptions& options, const TakeFrame& take);
 
 }  // namespace mikromakro

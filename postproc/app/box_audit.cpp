@@ -87,7 +87,8 @@ class BoxAuditor {
     return source;
   }
 
-  void add(const Frame& frame) {
+  /// Whether any averaged disc lies in the box.
+  bool add(const Frame& frame) {
     const Rectangle box = given_ ? *given_ : wall_rectangle(frame);
     VolumeOptions by_centre = one_box(volumes_, box);
     by_centre.weight = "centre";
@@ -100,14 +101,16 @@ class BoxAuditor {
         column_of(table, "sigma_yy");
     box_.add(box, volumes_.height, volume * stress, box_load(frame, box, volumes_.bulk_types));
     volume_by_centre_ += disc_volume_of(table, volumes_.height);
-    disc_volume_ += volumes_.height * disc_area_inside(frame, box, volumes_.bulk_types);
+    const double area = disc_area_inside(frame, box, volumes_.bulk_types);
+    disc_volume_ += volumes_.height * area;
     contacts_.add(frame);
     forces_.add(frame);
-    if (!cells_) return;
+    if (!cells_) return area > 0;
     of_cells_.add(cells_->frame_sums(frame));
-    if (volumes_.weight == "centre") return;
+    if (volumes_.weight == "centre") return area > 0;
     const auto whole = make_averager(one_box(volumes_, box), make_fields({"solid_fraction"}));
     volume_by_weight_ += disc_volume_of(whole->solve(whole->frame_sums(frame)), volumes_.height);
+    return area > 0;
   }
 
   BoxAudit result() const {
@@ -205,7 +208,7 @@ class BoxAuditor {
 
 Balances audit_box(const AuditOptions& options) {
   BoxAuditor auditor(options);
-  read_frames(auditor.source(options.input), options.quiet, [&](const Frame& frame) { auditor.add(frame); });
+  read_frames(auditor.source(options.input), options, [&](const Frame& frame) { return auditor.add(frame); });
   BoxAudit audit = auditor.result();
   audit.units = options.units;
   options.json ? print_json(audit) : print_text(audit);

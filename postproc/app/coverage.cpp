@@ -66,7 +66,8 @@ struct RunContents {
   Extent discs;  // that are averaged
   std::set<int> types;
   bool covered = false;
-  std::vector<std::int64_t> empty_steps;  // of frames without averaged discs
+  std::vector<std::int64_t> empty_steps;    // of frames without averaged discs
+  std::vector<std::int64_t> outside_steps;  // of frames with such discs, but none in the volumes
 };
 
 std::string why_empty(const RunContents& run, const VolumeOptions& volumes) {
@@ -141,9 +142,10 @@ void note_empty_frames(const FrameSource& source, const VolumeOptions& volumes,
       empty = empty && !is_averaged(particle, volumes.bulk_types);
     }
     run.discs.add(frame, volumes);
+    const bool outside = !empty && (averager->frame_sums(frame) == 0).all();
+    run.covered = run.covered || !(empty || outside);
     if (empty) run.empty_steps.push_back(frame.step);
-    if (!run.covered && suspects.count(frame.run) != 0)
-      run.covered = (averager->frame_sums(frame) != 0).any();
+    if (outside) run.outside_steps.push_back(frame.step);
     return true;
   });
   for (const auto& [number, run] : runs) {
@@ -155,6 +157,9 @@ void note_empty_frames(const FrameSource& source, const VolumeOptions& volumes,
     }
     for (const std::int64_t step : run.empty_steps)
       source.notes->add("frames hold no disc that is averaged, and count as empty volumes", step);
+    for (const std::int64_t step : run.outside_steps)
+      source.notes->add("no averaged disc of these frames lies in any of the volumes, which count as empty",
+                        step);
   }
 }
 

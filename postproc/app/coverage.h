@@ -38,8 +38,8 @@ void check_types(const FrameSource& source, std::string_view option, const Types
 void check_coverage(const FrameSource& source, const VolumeOptions& volumes);
 
 /// For averages of which some frames have sums that are all zero: notes each of the `suspects` (runs, from 0)
-/// without a disc in any of the volumes, or without a disc of the averaged types, and frames without discs in
-/// other runs. All of these count in averages as empty volumes. Re-reads the frames.
+/// without a disc in any of the volumes, or without a disc of the averaged types, and such frames of other
+/// runs. All of these count in averages as empty volumes. Re-reads the frames.
 void note_empty_frames(const FrameSource& source, const VolumeOptions& volumes,
                        const std::set<std::int64_t>& suspects);
 

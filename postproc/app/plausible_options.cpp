@@ -72,17 +72,6 @@ void note_extent(const Frame& frame, const VolumeOptions& volumes, Notes& notes)
 
 }  // namespace
 
-void check_use(const VolumeOptions& given, const Averager& averager) {
-  if (!given.branch.empty() && !averager.uses_branches())
-    throw bad_input(
-        {"--branch"}, "none of the fields takes it",
-        "stress, elastic_strain, couple_stress, curvature or what follows from them among --fields",
-        in_quotes(given.branch));
-  if (given.height > 0 && !averager.uses_height())
-    throw bad_input({"--height"}, "none of the fields takes it",
-                    "stresses or what follows from them among --fields", fmt::format("{}", given.height));
-}
-
 void note_volumes(const Frame& frame, const VolumeOptions& volumes, Notes& notes) {
   note_height(frame, volumes.height, notes);
   note_kernel(frame, volumes, notes);
@@ -134,10 +123,10 @@ void note_stiffness(const Frame& frame, double normal_stiffness, Notes& notes) {
   std::nth_element(slopes.begin(), middle, slopes.end());
   constexpr double factor = 3;
   if (*middle > factor * normal_stiffness || *middle < normal_stiffness / factor)
-    notes.add(fmt::format(
-                  "k_n = {} N/m, but forces over overlaps are about {:.0e} N/m in the middle (another unit, "
-                  "or of another run?)",
-                  normal_stiffness, std::pow(10, std::round(std::log10(*middle)))),
+    notes.add(fmt::format("k_n = {} N/m, but forces over overlaps are of the order of {:g} N/m (another "
+                          "unit, or of another "
+                          "run?)",
+                          normal_stiffness, std::pow(10, std::round(std::log10(*middle)))),
               frame.step);
 }
 

@@ -10,9 +10,6 @@
 
 namespace mikromakro {
 
-/// Throws on --branch and --height where none of the fields has to do with them.
-void check_use(const VolumeOptions& given, const Averager& averager);
-
 /// Notes a height above 100 radii (given in mm, say) or below 1e-4 radii, a kernel wider than the box, and
 /// volumes that extend more than five times as far as the discs.
 void note_volumes(const Frame& frame, const VolumeOptions& volumes, Notes& notes);

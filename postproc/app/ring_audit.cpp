@@ -63,11 +63,13 @@ RingAudit audit(const AuditOptions& options) {
   ContactBalance contacts({ring_centre(volumes), volumes.bulk_types, options.wheel_types});
   RingAudit result;
   result.units = options.units;
-  result.frames = read_frames(source, options.quiet, [&](const Frame& frame) {
+  result.frames = read_frames(source, options, [&](const Frame& frame) {
+    const Rows sums = whole->frame_sums(frame);
     of_rings.add(rings->frame_sums(frame));
-    of_whole.add(whole->frame_sums(frame));
+    of_whole.add(sums);
     contacts.add(frame);
     forces.add(frame);
+    return (sums != 0).any();
   });
   result.wheel_torque = contacts.wheel_torque();
   result.rings = ring_balances(rings->solve(of_rings.mean()), volumes.height, options.margin);

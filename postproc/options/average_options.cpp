@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "model/error.h"
 #include "options/error_report.h"
 #include "options/value_checks.h"
 
@@ -37,6 +38,17 @@ void add_average_options(CLI::App& app, AverageOptions& options) {
 
 std::unique_ptr<const Averager> make_averager(const AverageOptions& options) {
   return make_averager(options.volumes, fields_of(options.fields, options.volumes));
+}
+
+void check_use(const VolumeOptions& given, const Averager& averager) {
+  if (!given.branch.empty() && !averager.uses_branches())
+    throw bad_input(
+        {"--branch"}, "none of the fields takes it",
+        "stress, elastic_strain, couple_stress, curvature or what follows from them among --fields",
+        in_quotes(given.branch));
+  if (given.height > 0 && !averager.uses_height())
+    throw bad_input({"--height"}, "none of the fields takes it",
+                    "stresses or what follows from them among --fields", fmt::format("{}", given.height));
 }
 
 std::size_t error_blocks(const AverageOptions& options, const Averager& averager) {

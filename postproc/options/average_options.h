@@ -30,6 +30,9 @@ void add_average_options(CLI::App& app, AverageOptions& options);
 /// The averager for these options. Throws on contradictory or meaningless options.
 std::unique_ptr<const Averager> make_averager(const AverageOptions& options);
 
+/// Throws on --branch and --height where none of the fields has to do with them.
+void check_use(const VolumeOptions& given, const Averager& averager);
+
 /// Empty sums, with the number of error blocks that the options ask for.
 TimeAverage no_sums(const AverageOptions& options, const Averager& averager);
 /// That number of blocks.

@@ -89,6 +89,7 @@ FixAveMicromacro::FixAveMicromacro(LAMMPS_NS::LAMMPS* engine, int narg, char** a
   try {
     parse(std::move(words));
     averager_ = make_averager(options_);
+    check_use(options_.volumes, *averager_);
   } catch (const std::exception& error) {
     arguments.fail(error.what());
   }

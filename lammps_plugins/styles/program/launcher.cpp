@@ -5,12 +5,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "engine/engine_access.h"
 #include "input.h"
 #include "lammps.h"
 #include "program/registration.h"
+#include "program/unnamed_variables.h"
 
 namespace {
 
@@ -50,6 +52,8 @@ int main(int argc, char** argv) {
     std::printf("%s\n", mikromakro::styles::version_line().c_str());
     // The engine prints its help and exits in its constructor, so ours is printed first.
     if (help) std::printf("%s", mikromakro::styles::style_list().c_str());
+    for (const std::string& line : mikromakro::styles::unnamed_variables({argv + 1, argv + argc}))
+      std::fprintf(stderr, "WARNING: %s\n", line.c_str());
   }
   if (help) std::atexit(end_of_help);
   const int code = mikromakro::styles::exit_code_of([&] {
