@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <unsupported/Eigen/NonLinearOptimization>
 
 #include "model/error.h"
 
@@ -49,10 +49,6 @@ Points finite_points(const ProfilePoints& all, double r_i) {
 // v0 and the decay rate q = 1/s: the sum of squares is smooth in q, even for a profile that hardly decays.
 using Parameters = Eigen::Vector2d;
 
-double sum_of_squares(const Points& points, const Parameters& p) {
-  return (points.weight * (points.v - p[0] * (-p[1] * points.x).exp()).square()).sum();
-}
-
 // ln|v| is a straight line in r. Values of weight 0 may have any sign.
 Parameters straight_line(const Points& points, const Eigen::ArrayXd& weight, double sign) {
   const Eigen::ArrayXd logarithm = (sign * points.v > 0).select((points.v.abs()).log(), 0.0);
@@ -83,42 +79,35 @@ Eigen::MatrixX2d jacobian(const Points& points, const Parameters& p) {
   return jacobian;
 }
 
-struct NormalEquations {
-  Eigen::Matrix2d matrix;
-  Eigen::Vector2d right;
+// For Eigen's port of MINPACK's lmder: residuals and their derivatives by v0 and q.
+struct Residuals {
+  const Points& points;
+  Eigen::ArrayXd root_of_weight = points.weight.sqrt();
+
+  Eigen::Index values() const { return points.x.size(); }
+  int operator()(const Eigen::VectorXd& p, Eigen::VectorXd& residual) const {
+    residual = root_of_weight * (p[0] * (-p[1] * points.x).exp() - points.v);
+    return residual.allFinite() ? 0 : -1;
+  }
+  int df(const Eigen::VectorXd& p, Eigen::MatrixXd& change) const {
+    change = root_of_weight.matrix().asDiagonal() * jacobian(points, p);
+    return 0;
+  }
 };
 
-NormalEquations normal_equations(const Points& points, const Parameters& p) {
-  const Eigen::MatrixX2d change = jacobian(points, p);
-  const Eigen::VectorXd residual = points.v - p[0] * (-p[1] * points.x).exp();
-  const auto weighted = points.weight.matrix().asDiagonal();
-  return {change.transpose() * weighted * change, change.transpose() * weighted * residual};
-}
-
-Parameters levenberg_marquardt(const Points& points) {
-  Parameters p = start(points);
-  double damping = 1e-3;
-  double best = sum_of_squares(points, p);
-  for (int step = 0; step < most_steps && p.allFinite(); ++step) {
-    const NormalEquations equations = normal_equations(points, p);
-    Eigen::Matrix2d damped = equations.matrix;
-    damped.diagonal() *= 1 + damping;
-    const Parameters change = damped.ldlt().solve(equations.right);
-    const bool settled = (change.array().abs() <= 1e-14 * p.array().abs()).all();
-    const double now = sum_of_squares(points, p + change);
-    if (settled) return p;
-    if (now <= best) {
-      p += change;
-      best = now;
-      damping = std::max(0.1 * damping, 1e-12);
-    } else if (damping > 1e12) {
-      return p;  // no better point to within rounding
-    } else {
-      damping *= 10;
-    }
-  }
-  throw run_failed("the fit does not converge", "a profile v0 exp(-(r - R_i)/s)",
-                   fmt::format("v0 = {}, s = {} after {} steps", p[0], 1 / p[1], most_steps));
+Parameters least_squares(const Points& points) {
+  Residuals residuals{points};
+  Eigen::LevenbergMarquardt<Residuals> search(residuals);
+  // Iterates until no better point exists to within rounding.
+  search.parameters.ftol = search.parameters.xtol = 0;
+  search.parameters.maxfev = most_steps;
+  Eigen::VectorXd p = start(points);
+  const auto end = search.minimize(p);
+  using namespace Eigen::LevenbergMarquardtSpace;
+  if (!p.allFinite() || end == TooManyFunctionEvaluation || end == UserAsked)
+    throw run_failed("the fit does not converge", "a profile v0 exp(-(r - R_i)/s)",
+                     fmt::format("v0 = {}, s = {} after {} steps", p[0], 1 / p[1], search.nfev));
+  return p;
 }
 
 // Derivative of p with respect to v, where rows of `of_p` are d f/d p, f is the fitted quantity, and `of_v`
@@ -135,7 +124,7 @@ struct Fitted {
 };
 
 Fitted fit_velocity(const Points& points) {
-  const Parameters p = levenberg_marquardt(points);
+  const Parameters p = least_squares(points);
   return {p, change_with_v(jacobian(points, p), points.weight, Eigen::ArrayXd::Ones(points.v.size()))};
 }
 
