@@ -32,8 +32,8 @@ void print_balances(const Balances& balances) {
     fmt::print("{:<9} {}  {}\n", balance.name, number_or_dash(balance.value, 10, "{:.3e}"), balance.text);
 }
 
-void add_balances(JsonObject& json, const Balances& balances) {
-  for (const Balance& balance : balances) json.add(balance.name, balance.value);
+void add_balances(Json& json, const Balances& balances) {
+  for (const Balance& balance : balances) json[balance.name] = balance.value;
 }
 
 void check_bound(const Balances& balances, double bound) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "audit/normal_forces.h"
-#include "io/tables/json_object.h"
+#include "io/tables/json.h"
 
 namespace mikromakro {
 
@@ -32,7 +32,7 @@ Balance law_balance(const NormalForces& forces);
 std::string number_or_dash(double value, int width, std::string_view format);
 
 void print_balances(const Balances& balances);
-void add_balances(JsonObject& json, const Balances& balances);
+void add_balances(Json& json, const Balances& balances);
 
 /// Throws (failed run) if a balance is off by more than the bound, or could not be evaluated. nan: no bound.
 void check_bound(const Balances& balances, double bound);

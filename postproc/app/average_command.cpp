@@ -104,7 +104,7 @@ void write(const CommandOptions& options, const Task& task, const Averaged& aver
   const BlockErrors errors =
       write_averages(task.options, *task.averager, averaged, std::move(lines), *task.outputs);
   if (const std::string doubt = doubt_of(errors); !doubt.empty()) tell(doubt);
-  if (options.json) fmt::print("{}\n", error_json(errors, averaged.sums).text());
+  if (options.json) fmt::print("{}\n", text_of(error_json(errors, averaged.sums)));
 }
 
 void average(const CommandOptions& options, const Ranks& ranks) {

@@ -13,10 +13,10 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<std::string_view, box_walls> wall_names = {"left", "right", "bottom", "top"};
 constexpr std::array<std::string_view, 4> components = {"xx", "xy", "yx", "yy"};
 
-void add_stress(JsonObject& json, std::string_view name, const Eigen::Matrix2d& stress) {
+void add_stress(Json& json, std::string_view name, const Eigen::Matrix2d& stress) {
   for (std::size_t i = 0; i < 4; ++i)
-    json.add(fmt::format("{}_sigma_{}", name, components[i]),
-             stress(static_cast<Eigen::Index>(i / 2), static_cast<Eigen::Index>(i % 2)));
+    json[fmt::format("{}_sigma_{}", name, components[i])] =
+        stress(static_cast<Eigen::Index>(i / 2), static_cast<Eigen::Index>(i % 2));
 }
 
 void print_walls(const BoxBalance& box, std::string_view unit) {
@@ -57,36 +57,36 @@ void print_text(const BoxAudit& audit) {
 }
 
 void print_json(const BoxAudit& audit) {
-  JsonObject json;
+  Json json = Json::object();
   const Rectangle box = audit.box.box();
-  json.add("frames", audit.box.frames());
-  json.add("box", std::vector<double>{box.low[0], box.high[0], box.low[1], box.high[1]});
-  json.add("volume_of_discs", audit.disc_volume);
-  json.add("friction_of_walls", audit.box.friction());
+  json["frames"] = audit.box.frames();
+  json["box"] = std::vector<double>{box.low[0], box.high[0], box.low[1], box.high[1]};
+  json["volume_of_discs"] = audit.disc_volume;
+  json["friction_of_walls"] = audit.box.friction();
   add_stress(json, "volume", audit.box.volume_stress());
   add_stress(json, "boundary",
              audit.box.has_boundary() ? audit.box.boundary_stress() : Eigen::Matrix2d::Constant(nan));
   for (int number = 0; number < box_walls; ++number) {
     if (!audit.box.has_walls() || !audit.box.may_have_wall(number)) continue;
     const WallStress wall = audit.box.wall(number);
-    JsonObject one;
-    one.add("force", std::vector<double>{wall.force[0], wall.force[1]});
-    one.add("area", wall.area);
-    one.add(number < 2 ? "sigma_xx" : "sigma_xy", wall.stress[0]);
-    one.add(number < 2 ? "sigma_yx" : "sigma_yy", wall.stress[1]);
-    json.add(wall_names[static_cast<std::size_t>(number)], one);
+    Json one = Json::object();
+    one["force"] = std::vector<double>{wall.force[0], wall.force[1]};
+    one["area"] = wall.area;
+    one[number < 2 ? "sigma_xx" : "sigma_xy"] = wall.stress[0];
+    one[number < 2 ? "sigma_yx" : "sigma_yy"] = wall.stress[1];
+    json[wall_names[static_cast<std::size_t>(number)]] = one;
   }
   add_balances(json, audit.balances);
   const auto add = [&](std::string_view name, const auto& value_of) {
     std::vector<double> values;
     for (const CellBalance& cell : audit.cells) values.push_back(value_of(cell));
-    json.add(name, values);
+    json[name] = values;
   };
   add("x", [](const CellBalance& cell) { return cell.x; });
   add("y", [](const CellBalance& cell) { return cell.y; });
   add("momentum_x", [](const CellBalance& cell) { return cell.left[0]; });
   add("momentum_y", [](const CellBalance& cell) { return cell.left[1]; });
-  fmt::print("{}\n", json.text());
+  fmt::print("{}\n", text_of(json));
 }
 
 }  // namespace mikromakro

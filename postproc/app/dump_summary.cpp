@@ -73,25 +73,25 @@ DumpSummary summarise_dump(const std::string& file, const std::vector<std::strin
   return summary;
 }
 
-JsonObject dump_json(const std::string& file, const DumpSummary& summary) {
+Json dump_json(const std::string& file, const DumpSummary& summary) {
   const DumpHeader& last = summary.last;
-  JsonObject json;
-  json.add("file", file);
-  json.add("kind", last.of_particles() ? "particles" : "contacts");
-  json.add("frames", summary.frames);
-  json.add("first_step", summary.first_step);
-  json.add("last_step", summary.last_step);
-  json.add("fewest_rows", summary.fewest_rows);
-  json.add("most_rows", summary.most_rows);
-  json.add("columns", last.columns);
-  if (!last.units.empty()) json.add("units", last.units);
-  json.add("box", std::vector<double>{last.box.low[0], last.box.high[0], last.box.low[1], last.box.high[1]});
-  json.add("periodic", periodic_text(last.box));
+  Json json = Json::object();
+  json["file"] = file;
+  json["kind"] = last.of_particles() ? "particles" : "contacts";
+  json["frames"] = summary.frames;
+  json["first_step"] = summary.first_step;
+  json["last_step"] = summary.last_step;
+  json["fewest_rows"] = summary.fewest_rows;
+  json["most_rows"] = summary.most_rows;
+  json["columns"] = last.columns;
+  if (!last.units.empty()) json["units"] = last.units;
+  json["box"] = std::vector<double>{last.box.low[0], last.box.high[0], last.box.low[1], last.box.high[1]};
+  json["periodic"] = periodic_text(last.box);
   if (summary.largest_radius == 0) return json;
-  JsonObject types;
-  for (const auto& [type, count] : summary.counts_by_type) types.add(fmt::format("{}", type), count);
-  json.add("types", types);
-  json.add("radius", std::vector<double>{summary.smallest_radius, summary.largest_radius});
+  Json types = Json::object();
+  for (const auto& [type, count] : summary.counts_by_type) types[fmt::format("{}", type)] = count;
+  json["types"] = types;
+  json["radius"] = std::vector<double>{summary.smallest_radius, summary.largest_radius};
   return json;
 }
 

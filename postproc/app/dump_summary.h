@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/tables/json_object.h"
+#include "io/tables/json.h"
 #include "io/text/dump_reader.h"
 #include "model/notes.h"
 
@@ -31,6 +31,6 @@ DumpSummary summarise_dump(const std::string& file, const std::vector<std::strin
                            Notes& notes);
 
 void print_dump(const std::string& file, const DumpSummary& summary);
-JsonObject dump_json(const std::string& file, const DumpSummary& summary);
+Json dump_json(const std::string& file, const DumpSummary& summary);
 
 }  // namespace mikromakro

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "io/tables/json_object.h"
+#include "io/tables/json.h"
 
 namespace mikromakro {
 namespace {
@@ -97,34 +97,34 @@ void print_choices(const FitReport& report, const std::vector<Estimate>& all) {
   fmt::print("\n");
 }
 
-void add(const Estimate& one, JsonObject& json) {
-  json.add(one.key, one.value);
-  json.add(one.key + "_err", one.error);
-  json.add(one.key + "_low", one.low());
-  json.add(one.key + "_high", one.high());
-  json.add(one.key + "_least", one.least);
-  json.add(one.key + "_greatest", one.greatest);
+void add(const Estimate& one, Json& json) {
+  json[one.key] = one.value;
+  json[one.key + "_err"] = one.error;
+  json[one.key + "_low"] = one.low();
+  json[one.key + "_high"] = one.high();
+  json[one.key + "_least"] = one.least;
+  json[one.key + "_greatest"] = one.greatest;
 }
 
-JsonObject errors_json(const FitErrors& errors) {
-  JsonObject json;
-  json.add("method", errors.method);
-  json.add("remark", errors.remark);
-  json.add("covariance", errors.correlation * errors.error[0] * errors.error[1]);
-  json.add("two_tau", errors.two_tau);
-  json.add("two_tau_err", errors.two_tau_error);
-  json.add("effective_samples", errors.samples);
-  json.add("degrees_of_freedom", errors.freedom);
+Json errors_json(const FitErrors& errors) {
+  Json json = Json::object();
+  json["method"] = errors.method;
+  json["remark"] = errors.remark;
+  json["covariance"] = errors.correlation * errors.error[0] * errors.error[1];
+  json["two_tau"] = errors.two_tau;
+  json["two_tau_err"] = errors.two_tau_error;
+  json["effective_samples"] = errors.samples;
+  json["degrees_of_freedom"] = errors.freedom;
   return json;
 }
 
-JsonObject choices_json(const std::vector<FitChoice>& choices) {
-  JsonObject json;
+Json choices_json(const std::vector<FitChoice>& choices) {
+  Json json = Json::object();
   for (const FitChoice& choice : choices) {
-    JsonObject one;
-    one.add("v0", choice.v0);
-    one.add("s", choice.s);
-    json.add(choice.name, one);
+    Json one = Json::object();
+    one["v0"] = choice.v0;
+    one["s"] = choice.s;
+    json[choice.name] = one;
   }
   return json;
 }
@@ -137,18 +137,18 @@ std::string of_what(const FitReport& report) {
 }  // namespace
 
 void print_json(const FitReport& report) {
-  JsonObject json;
+  Json json = Json::object();
   for (const Estimate& one : estimates(report)) add(one, json);
-  json.add("r_i", report.r_i);
-  json.add("omega", report.omega);
-  json.add("fit_of", of_what(report));
-  json.add("rings", static_cast<std::int64_t>(report.fitted.used.size()));
-  json.add("range", std::vector<double>{report.first_r, report.last_r});
-  json.add("residual_rms", report.fitted.residual_rms);
-  json.add("residuals_over_errors", report.residuals_over_errors);
-  json.add("errors", errors_json(report.errors));
-  json.add("choices", choices_json(report.choices));
-  fmt::print("{}\n", json.text());
+  json["r_i"] = report.r_i;
+  json["omega"] = report.omega;
+  json["fit_of"] = of_what(report);
+  json["rings"] = static_cast<std::int64_t>(report.fitted.used.size());
+  json["range"] = std::vector<double>{report.first_r, report.last_r};
+  json["residual_rms"] = report.fitted.residual_rms;
+  json["residuals_over_errors"] = report.residuals_over_errors;
+  json["errors"] = errors_json(report.errors);
+  json["choices"] = choices_json(report.choices);
+  fmt::print("{}\n", text_of(json));
 }
 
 void print_text(const FitReport& report) {

@@ -12,7 +12,7 @@
 #include "io/files/line_reader.h"
 #include "io/snapshot/snapshot_reader.h"
 #include "io/tables/csv_reader.h"
-#include "io/tables/json_object.h"
+#include "io/tables/json.h"
 
 namespace mikromakro {
 namespace {
@@ -29,12 +29,12 @@ std::vector<std::string> names_of(ColumnSet given, const ColumnNames& names) {
   return all;
 }
 
-JsonObject table_json(const CsvTable& table) {
-  JsonObject json;
-  json.add("file", table.file());
-  json.add("kind", "table");
-  json.add("rows", std::int64_t{table.rows()});
-  json.add("columns", table.names());
+Json table_json(const CsvTable& table) {
+  Json json = Json::object();
+  json["file"] = table.file();
+  json["kind"] = "table";
+  json["rows"] = std::int64_t{table.rows()};
+  json["columns"] = table.names();
   return json;
 }
 
@@ -55,20 +55,20 @@ void print_snapshots(const std::string& file, const SnapshotSummary& summary) {
              fmt::join(names_of(summary.contacts_given, contact_names()), " "));
 }
 
-JsonObject snapshots_json(const std::string& file, const SnapshotSummary& summary) {
-  JsonObject json;
-  json.add("file", file);
-  json.add("kind", "snapshots");
-  json.add("frames", static_cast<std::int64_t>(summary.steps.size()));
+Json snapshots_json(const std::string& file, const SnapshotSummary& summary) {
+  Json json = Json::object();
+  json["file"] = file;
+  json["kind"] = "snapshots";
+  json["frames"] = static_cast<std::int64_t>(summary.steps.size());
   if (!summary.steps.empty()) {
-    json.add("first_step", summary.steps.front());
-    json.add("last_step", summary.steps.back());
+    json["first_step"] = summary.steps.front();
+    json["last_step"] = summary.steps.back();
   }
-  json.add("most_discs", static_cast<std::int64_t>(summary.most_particles));
-  json.add("columns", names_of(summary.particles_given, particle_names()));
+  json["most_discs"] = static_cast<std::int64_t>(summary.most_particles);
+  json["columns"] = names_of(summary.particles_given, particle_names());
   if (summary.contact_offsets.empty()) return json;
-  json.add("contacts", summary.contact_offsets.back());
-  json.add("contact_columns", names_of(summary.contacts_given, contact_names()));
+  json["contacts"] = summary.contact_offsets.back();
+  json["contact_columns"] = names_of(summary.contacts_given, contact_names());
   return json;
 }
 
@@ -86,16 +86,17 @@ void info(const InfoOptions& options) {
   for (const std::string& file : expand_files(options.files)) {
     if (Hdf5File::recognises(file)) {
       const SnapshotSummary summary = summarise_snapshots(Hdf5File::open(file), file);
-      options.json ? objects.push_back(snapshots_json(file, summary).text()) : print_snapshots(file, summary);
+      options.json ? objects.push_back(text_of(snapshots_json(file, summary)))
+                   : print_snapshots(file, summary);
     } else if (is_mercury_file(file)) {
-      options.json ? objects.push_back(mercury_json(file, notes).text()) : print_mercury(file, notes);
+      options.json ? objects.push_back(text_of(mercury_json(file, notes))) : print_mercury(file, notes);
     } else if (is_table(file)) {
       const CsvTable table(file);
-      options.json ? objects.push_back(table_json(table).text()) : print_table(table);
+      options.json ? objects.push_back(text_of(table_json(table))) : print_table(table);
     } else {
       const DumpSummary summary = summarise_dump(file, options.particle_columns, notes);
       of_particles |= summary.last.of_particles();
-      options.json ? objects.push_back(dump_json(file, summary).text()) : print_dump(file, summary);
+      options.json ? objects.push_back(text_of(dump_json(file, summary))) : print_dump(file, summary);
     }
   }
   if (!options.particle_columns.empty() && !of_particles)

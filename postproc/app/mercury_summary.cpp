@@ -80,21 +80,21 @@ void print_mercury(const std::string& file, Notes& notes) {
   fmt::print("  radius   {} to {} m\n", summary.smallest_radius, summary.largest_radius);
 }
 
-JsonObject mercury_json(const std::string& file, Notes& notes) {
+Json mercury_json(const std::string& file, Notes& notes) {
   const MercurySummary summary = summary_of(file, notes);
-  JsonObject json;
-  json.add("file", file);
-  json.add("kind", summary.of_particles ? "MercuryDPM particles" : "MercuryDPM contacts");
-  json.add("frames", summary.frames);
-  json.add("first_time", summary.first_time);
-  json.add("last_time", summary.last_time);
-  json.add("fewest_rows", summary.fewest_rows);
-  json.add("most_rows", summary.most_rows);
+  Json json = Json::object();
+  json["file"] = file;
+  json["kind"] = summary.of_particles ? "MercuryDPM particles" : "MercuryDPM contacts";
+  json["frames"] = summary.frames;
+  json["first_time"] = summary.first_time;
+  json["last_time"] = summary.last_time;
+  json["fewest_rows"] = summary.fewest_rows;
+  json["most_rows"] = summary.most_rows;
   if (summary.largest_radius == 0) return json;
-  JsonObject types;
-  for (const auto& [type, count] : summary.counts_by_type) types.add(fmt::format("{}", type), count);
-  json.add("types", types);
-  json.add("radius", std::vector<double>{summary.smallest_radius, summary.largest_radius});
+  Json types = Json::object();
+  for (const auto& [type, count] : summary.counts_by_type) types[fmt::format("{}", type)] = count;
+  json["types"] = types;
+  json["radius"] = std::vector<double>{summary.smallest_radius, summary.largest_radius};
   return json;
 }
 

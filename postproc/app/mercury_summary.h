@@ -4,13 +4,13 @@
 
 #include <string>
 
-#include "io/tables/json_object.h"
+#include "io/tables/json.h"
 #include "model/notes.h"
 
 namespace mikromakro {
 
 bool is_mercury_file(const std::string& file);
 void print_mercury(const std::string& file, Notes& notes);
-JsonObject mercury_json(const std::string& file, Notes& notes);
+Json mercury_json(const std::string& file, Notes& notes);
 
 }  // namespace mikromakro

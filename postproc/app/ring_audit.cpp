@@ -107,23 +107,23 @@ void print_text(const RingAudit& audit) {
 }
 
 void print_json(const RingAudit& audit) {
-  JsonObject json;
-  json.add("frames", audit.frames);
-  json.add("wheel_torque", audit.wheel_torque);
-  json.add("volume_of_rings", audit.volume_of_rings);
-  json.add("volume_inside", audit.volume_inside);
+  Json json = Json::object();
+  json["frames"] = audit.frames;
+  json["wheel_torque"] = audit.wheel_torque;
+  json["volume_of_rings"] = audit.volume_of_rings;
+  json["volume_inside"] = audit.volume_inside;
   add_balances(json, audit.balances);
   const auto add = [&](std::string_view name, const auto& value_of) {
     std::vector<double> values;
     for (const RingBalance& ring : audit.rings) values.push_back(value_of(ring));
-    json.add(name, values);
+    json[name] = values;
   };
   add("r", [](const RingBalance& ring) { return ring.r; });
   add("torque_of_ring", [](const RingBalance& ring) { return ring.torque; });
   add("radial_slope", [](const RingBalance& ring) { return ring.slope; });
   add("sigma_phiphi", [](const RingBalance& ring) { return ring.sigma_phiphi; });
   add("counts", [](const RingBalance& ring) { return ring.counts ? 1.0 : 0.0; });
-  fmt::print("{}\n", json.text());
+  fmt::print("{}\n", text_of(json));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "io/tables/json_object.h"
+#include "io/tables/json.h"
 #include "model/error.h"
 #include "physics/contact/contact_duration.h"
 #include "physics/impact/impact.h"
@@ -100,14 +100,14 @@ Finding find_with_friction(const TimestepOptions& o, const physics::Impact& impa
 void print(const TimestepOptions& o, const physics::Impact& impact, const Finding& found) {
   const double rule = impact.duration / physics::steps_per_contact, dt = impact.duration / found.steps;
   if (o.json) {
-    JsonObject json;
-    json.add("t_c", impact.duration);
-    json.add("e_n", found.restitution);
-    json.add("gamma_n", impact.law.normal_damping);
-    json.add("rule", rule);
-    json.add("steps_per_contact", found.steps);
-    json.add("dt", dt);
-    fmt::print("{}\n", json.text());
+    Json json = Json::object();
+    json["t_c"] = impact.duration;
+    json["e_n"] = found.restitution;
+    json["gamma_n"] = impact.law.normal_damping;
+    json["rule"] = rule;
+    json["steps_per_contact"] = found.steps;
+    json["dt"] = dt;
+    fmt::print("{}\n", text_of(json));
     return;
   }
   fmt::print("t_c = {:.6g} s, e_n = {:.6g}, t_c/50 = {:.6g} s\n", impact.duration, found.restitution, rule);

@@ -50,25 +50,25 @@ std::string report(const FieldErrors& made) {
       100 * correlation.scatter, decision.samples, decision.freedom, of_runs(made));
 }
 
-JsonObject json_of(const FieldErrors& made) {
+Json json_of(const FieldErrors& made) {
   const CorrelationTime& correlation = made.correlation;
   const bool known = !std::isnan(correlation.time);
   const auto if_known = [known](double value) { return known ? value : std::nan(""); };
-  JsonObject json;
-  json.add("given", std::int64_t{made.decision.given});
-  json.add("series", static_cast<std::int64_t>(made.series));
-  json.add("two_tau", correlation.time);
-  json.add("two_tau_err", if_known(correlation.time * correlation.uncertainty));
-  json.add("two_tau_scatter", if_known(correlation.scatter));
-  json.add("two_tau_scatter_unknown", if_known(correlation.unknown_scatter));
+  Json json = Json::object();
+  json["given"] = std::int64_t{made.decision.given};
+  json["series"] = static_cast<std::int64_t>(made.series);
+  json["two_tau"] = correlation.time;
+  json["two_tau_err"] = if_known(correlation.time * correlation.uncertainty);
+  json["two_tau_scatter"] = if_known(correlation.scatter);
+  json["two_tau_scatter_unknown"] = if_known(correlation.unknown_scatter);
   const auto if_decided = [&](double value) { return known || made.decision.by_runs ? value : std::nan(""); };
-  json.add("effective_samples", if_decided(made.decision.samples));
-  json.add("needed_samples", if_decided(made.decision.needed));
-  json.add("degrees_of_freedom", if_decided(made.decision.freedom));
-  json.add("slow_wave_ratio", made.slow.ratio);
-  json.add("by_runs", std::int64_t{made.decision.by_runs});
-  json.add("chi2_between_runs", made.between.chi_square);
-  json.add("widening", made.decision.given ? made.decision.widening : std::nan(""));
+  json["effective_samples"] = if_decided(made.decision.samples);
+  json["needed_samples"] = if_decided(made.decision.needed);
+  json["degrees_of_freedom"] = if_decided(made.decision.freedom);
+  json["slow_wave_ratio"] = made.slow.ratio;
+  json["by_runs"] = std::int64_t{made.decision.by_runs};
+  json["chi2_between_runs"] = made.between.chi_square;
+  json["widening"] = made.decision.given ? made.decision.widening : std::nan("");
   return json;
 }
 
@@ -113,15 +113,15 @@ void describe_errors(const BlockErrors& errors, const TimeAverage& average, Prea
                        "shorter blocks may give more errors: --error-blocks, or fewer fields or volumes");
 }
 
-JsonObject error_json(const BlockErrors& errors, const TimeAverage& average) {
-  JsonObject json;
-  json.add("method", "jackknife over blocks, 2 tau pooled by field");
-  json.add("frames", errors.frames);
-  json.add("blocks", static_cast<std::int64_t>(average.blocks().size()));
-  json.add("block_length", average.block_length());
-  JsonObject fields;
-  for (const FieldErrors& made : errors.fields) fields.add(made.field.name, json_of(made));
-  json.add("fields", fields);
+Json error_json(const BlockErrors& errors, const TimeAverage& average) {
+  Json json = Json::object();
+  json["method"] = "jackknife over blocks, 2 tau pooled by field";
+  json["frames"] = errors.frames;
+  json["blocks"] = static_cast<std::int64_t>(average.blocks().size());
+  json["block_length"] = average.block_length();
+  Json fields = Json::object();
+  for (const FieldErrors& made : errors.fields) fields[made.field.name] = json_of(made);
+  json["fields"] = fields;
   return json;
 }
 

@@ -4,7 +4,7 @@
 
 #include "averaging/block_errors.h"
 #include "io/tables/csv_writer.h"
-#include "io/tables/json_object.h"
+#include "io/tables/json.h"
 
 namespace mikromakro {
 
@@ -19,6 +19,6 @@ std::string doubt_of(const BlockErrors& errors);
 /// fluctuate), two_tau and two_tau_err in frames, two_tau_scatter, two_tau_scatter_unknown, effective_samples
 /// and needed_samples, degrees_of_freedom, slow_wave_ratio, by_runs, chi2_between_runs, widening. Unknown
 /// values are null.
-JsonObject error_json(const BlockErrors& errors, const TimeAverage& average);
+Json error_json(const BlockErrors& errors, const TimeAverage& average);
 
 }  // namespace mikromakro

@@ -76,7 +76,7 @@ TEST(MercuryInput, IsToldByInfo) {
   EXPECT_EQ(run_program("info good/mercury.fstat").out,
             "good/mercury.fstat: contacts (MercuryDPM)\n  frames   2 (times 1 to 2 s)\n  rows     4 to 4 per "
             "frame\n");
-  EXPECT_NE(run_program("info --json good/mercury.data").out.find("\"kind\": \"MercuryDPM particles\""),
+  EXPECT_NE(run_program("info --json good/mercury.data").out.find("\"kind\":\"MercuryDPM particles\""),
             std::string::npos);
 }
 

@@ -173,9 +173,9 @@ TEST(Info, TellsWhatIsInADump) {
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(
       ran.out,
-      R"([{"file": "good/particles.dump", "kind": "particles", "frames": 2, "first_step": 100, "last_step": 200, )"
-      R"("fewest_rows": 4, "most_rows": 4, "columns": ["id", "type", "x", "y", "z", "radius", "vx", "vy", "omegaz", )"
-      R"("mass"], "box": [-5, 5, -5, 5], "periodic": "", "types": {"1": 3, "2": 1}, "radius": [0.125, 0.5]}])"
+      R"([{"file":"good/particles.dump","kind":"particles","frames":2,"first_step":100,"last_step":200,)"
+      R"("fewest_rows":4,"most_rows":4,"columns":["id","type","x","y","z","radius","vx","vy","omegaz",)"
+      R"("mass"],"box":[-5.0,5.0,-5.0,5.0],"periodic":"","types":{"1":3,"2":1},"radius":[0.125,0.5]}])"
       "\n");
   EXPECT_NE(run_program("info 'good/*.dump'").out.find("good/stock.dump: contacts"), std::string::npos);
 }

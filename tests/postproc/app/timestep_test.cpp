@@ -22,7 +22,7 @@ TEST(Timestep, TellsDurationAndRestitutionOfTheSeed) {
   // 2e-6: the small turn of a numerical impact with an overlap of 1e-3 radii.
   EXPECT_NEAR(json_number(ran.out, "e_n"), physics::restitution(352.1, 0.19, m12), 2e-6);
   EXPECT_NEAR(json_number(ran.out, "rule") * 50 / json_number(ran.out, "t_c"), 1, 1e-14);
-  EXPECT_NE(ran.out.find("\"dt\": null"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("\"dt\":null"), std::string::npos) << ran.out;
 }
 
 TEST(Timestep, TakesTheDashpotFromTheRestitution) {

@@ -6,7 +6,7 @@
 #include "io/files/output_file.h"
 #include "io/tables/csv_reader.h"
 #include "io/tables/csv_writer.h"
-#include "io/tables/json_object.h"
+#include "io/tables/json.h"
 #include "model/error.h"
 #include "text_file.h"
 
@@ -43,14 +43,18 @@ TEST(OutputFile, LeavesNothingBehindUnlessCommitted) {
   EXPECT_THROW(OutputFile(folder.path("no/such/folder.csv")), Error);
 }
 
-TEST(JsonObject, KeepsOrderAndEscapes) {
-  JsonObject json;
-  json.add("b", 0.5);
-  json.add("a\"", std::string_view("x\n\\"));
-  json.add("none", std::nan(""));
-  json.add("count", std::int64_t{3});
-  json.add("list", std::vector<double>{1, 2});
-  EXPECT_EQ(json.text(), R"({"b": 0.5, "a\"": "x\u000a\\", "none": null, "count": 3, "list": [1, 2]})");
+// nan, a quotation mark, a line feed, and a byte that is not UTF-8.
+TEST(Json, KeepsOrderAndEscapes) {
+  Json json = Json::object();
+  json["b"] = 0.5;
+  json["a\""] = std::string_view("x\n\\");
+  json["none"] = std::nan("");
+  json["count"] = std::int64_t{3};
+  json["list"] = std::vector<double>{1, 2};
+  json["bytes"] = "\xff";
+  EXPECT_EQ(text_of(json),
+            "{\"b\":0.5,\"a\\\"\":\"x\\n\\\\\",\"none\":null,\"count\":3,\"list\":[1.0,2.0],\"bytes\":"
+            "\"\xef\xbf\xbd\"}");
 }
 
 }  // namespace
