@@ -40,6 +40,8 @@ void complete(AuditOptions& options) {
   check_in_one_list(options);
   const FrameSource source = frame_source(options.input);
   take_height(source, options.volumes.height);
+  note_other_runs(source);
+  note_unrecorded_walls(source);
   if (options.volumes.height == 0) options.units = {"N/m", "m^2"};
   options.volumes.height = thickness(options.volumes);
   FieldChoice stiffness{{"stress"}, {}};

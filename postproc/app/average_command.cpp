@@ -72,6 +72,10 @@ std::unique_ptr<OutputFile> block_file(const CommandOptions& options,
   return std::make_unique<OutputFile>(options.blocks);
 }
 
+bool needs_forces(const Averager& averager) {
+  return (averager.contacts_needed() & column_set(ContactColumn::fx)) != 0;
+}
+
 Task task_of(const CommandOptions& options, const Ranks& ranks) {
   if (options.json) check_json(options.average);
   Task task;
@@ -80,7 +84,8 @@ Task task_of(const CommandOptions& options, const Ranks& ranks) {
   const FrameSource files = frame_source(options.input);
   take_height(files, volumes.height);
   take_stiffness(files, volumes.bulk_types, task.options.fields);
-  compare_friction(files, task.options.fields.numbers.friction_coefficient);
+  take_friction(files, task.options.fields);
+  note_other_runs(files);
   task.averager = make_averager(task.options);
   check_use(options.average.volumes, *task.averager);
   // The block table holds the numbers again, as values and as text.
@@ -91,10 +96,25 @@ Task task_of(const CommandOptions& options, const Ranks& ranks) {
                volume_option(volumes));
   task.source = source_of(options.input, *task.averager);
   task.source.notes = files.notes;
+  if (needs_forces(*task.averager)) note_unrecorded_walls(files);
   if (!ranks.first()) return task;
   task.outputs = std::make_unique<TableOutputs>(task.options.out, files.files());
   task.blocks = block_file(options, files.files());
   return task;
+}
+
+// In half of the volumes, since weights by centres may crowd single ones.
+void note_crowded(const Task& task, const Averaged& averaged) {
+  const Table table = task.averager->solve(averaged.sums.mean());
+  const auto nu = std::find_if(table.columns.begin(), table.columns.end(),
+                               [](const Column& one) { return one.name == "nu"; });
+  if (nu == table.columns.end()) return;
+  constexpr double overlaps = 0.05;
+  if (2 * (table.rows.col(nu - table.columns.begin()) > 1 + overlaps).count() > table.rows.rows())
+    tell(
+        "nu is above 1 in most volumes: discs are larger than the volume that they are in (radii of another "
+        "unit, or "
+        "diameters?)");
 }
 
 void write(const CommandOptions& options, const Task& task, const Averaged& averaged) {
@@ -103,6 +123,7 @@ void write(const CommandOptions& options, const Task& task, const Averaged& aver
   if (task.blocks) task.blocks->commit(csv_text(lines, block_table(*task.averager, averaged.sums)));
   const BlockErrors errors =
       write_averages(task.options, *task.averager, averaged, std::move(lines), *task.outputs);
+  note_crowded(task, averaged);
   if (const std::string doubt = doubt_of(errors); !doubt.empty()) tell(doubt);
   if (options.json) fmt::print("{}\n", text_of(error_json(errors, averaged.sums)));
 }
@@ -111,9 +132,10 @@ void average(const CommandOptions& options, const Ranks& ranks) {
   Task task;
   ranks.agree([&] { task = task_of(options, ranks); });
   const double stiffness = stiffness_of(task.options.fields);
-  const bool with_forces = (task.averager->contacts_needed() & column_set(ContactColumn::fx)) != 0;
+  const bool with_forces = needs_forces(*task.averager);
   const SumFrame sum = [&](const Frame& frame) {
     note_stiffness(frame, stiffness, *task.source.notes);
+    note_friction(frame, task.options.fields.numbers.friction_coefficient, *task.source.notes);
     if (with_forces) {
       note_branch(frame, task.options.volumes, *task.source.notes);
       note_walls(frame, options.input, *task.source.notes);

@@ -23,7 +23,7 @@ namespace {
 void check_found(const FrameSource& source, const VolumeOptions& volumes, const TypesSeen& types,
                  const Averaged& averaged, const RunsUsed& runs) {
   if (averaged.sums.frames() == 0) throw source.no_frame_selected();
-  check_types(source, "--bulk-types", types);
+  check_types(source, types);
   if ((averaged.sums.mean() == 0).all()) check_coverage(source, volumes);
   note_unused_runs(source, runs);
   note_unlike_runs(source);
@@ -93,7 +93,7 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
   Progress progress(all_bytes, options.quiet || !ranks.first());
   Averaged averaged{std::move(sums), {}, {}};
   std::atomic<std::int64_t> bytes = 0;
-  TypesSeen types(volumes.bulk_types);
+  TypesSeen types("--bulk-types", volumes.bulk_types);
   const SumFrame look_and_sum = [&](const Frame& frame) {
     types.look(frame);
     note_volumes(frame, volumes, *source.notes);
@@ -127,6 +127,7 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
   });
   if (continuations.ends()) source.notes->add(goes_on, last_step);
   ranks.gather(*source.notes);
+  for (std::size_t i = 0; i < volumes.bulk_types.size(); ++i) ranks.gather(types.without(i));
   ranks.agree([&] {
     if (ranks.first()) check_found(source, volumes, types, averaged, runs);
   });

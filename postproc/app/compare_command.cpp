@@ -79,7 +79,8 @@ void take_what_files_say(const CompareOptions& options, const FrameSource& files
   task.fields = options.fields;
   take_height(files, task.volumes.height);
   take_stiffness(files, task.volumes.bulk_types, task.fields);
-  compare_friction(files, task.fields.numbers.friction_coefficient);
+  take_friction(files, task.fields);
+  note_other_runs(files);
 }
 
 MemoryNeed memory_need(const CompareOptions& options, const Task& task, const Ranks& ranks) {
@@ -157,7 +158,7 @@ Preamble preamble_of(const CompareOptions& options, const Task& task, const Aver
   describe_input(options.input, task.source, averaged.runs.size(), lines);
   describe_fields(task.fields, lines);
   describe_frames(averaged, lines);
-  describe_volumes(task.volumes, lines, false);
+  describe_volumes(task.volumes, lines, false, task.averagers.front()->uses_height());
   lines.emplace_back("branch", options.volumes.branch.empty() ? "by the weight" : options.volumes.branch);
   describe_numbers(task.fields, lines);
   return lines;
@@ -174,7 +175,12 @@ void report(const CompareOptions& options, const Task& task, const Averaged& ave
 void compare(const CompareOptions& options, const Ranks& ranks) {
   Task task;
   ranks.agree([&] { task = task_of(options, ranks); });
-  const SumFrame sum = [&](const Frame& frame) { return all_sums(task, frame); };
+  std::vector<VolumeOptions> weighted(options.weights.size(), task.volumes);
+  for (std::size_t i = 0; i < weighted.size(); ++i) weighted[i].weight = options.weights[i];
+  const SumFrame sum = [&](const Frame& frame) {
+    for (const VolumeOptions& volumes : weighted) note_volumes(frame, volumes, *task.source.notes);
+    return all_sums(task, frame);
+  };
   const Averaged averaged =
       average_frames(task.source, task.volumes, sum, TimeAverage(0), options.run, ranks);
   ranks.agree([&] {

@@ -80,13 +80,16 @@ std::string why_empty(const RunContents& run, const VolumeOptions& volumes) {
 
 }  // namespace
 
-TypesSeen::TypesSeen(std::vector<int> wanted) : wanted_(std::move(wanted)), seen_(wanted_.size()) {}
+TypesSeen::TypesSeen(std::string_view option, std::vector<int> wanted)
+    : option_(option), wanted_(std::move(wanted)), seen_(wanted_.size()), without_(wanted_.size()) {}
 
 void TypesSeen::look(const Frame& frame) {
   for (std::size_t i = 0; i < wanted_.size(); ++i) {
-    if (seen_[i].load(std::memory_order_relaxed)) continue;
     const auto of_type = [&](const Particle& particle) { return particle.type == wanted_[i]; };
-    if (std::any_of(frame.particles.begin(), frame.particles.end(), of_type)) seen_[i] = true;
+    if (std::any_of(frame.particles.begin(), frame.particles.end(), of_type))
+      seen_[i].store(true, std::memory_order_relaxed);
+    else if (!frame.particles.empty())
+      without_[i].add(fmt::format("{}: frames hold no disc of type {}", option_, wanted_[i]), frame.step);
   }
 }
 
@@ -97,20 +100,24 @@ std::vector<int> TypesSeen::missing() const {
   return types;
 }
 
-void check_types(const FrameSource& source, std::string_view option, const TypesSeen& types) {
-  if (types.missing().empty()) return;
-  std::set<int> present;
-  for_each_frame(source, [&](const Frame& frame) {
-    for (const Particle& particle : frame.particles) present.insert(particle.type);
-    return true;
-  });
+void check_types(const FrameSource& source, const TypesSeen& types) {
   std::vector<int> missing = types.missing();
+  std::set<int> present;
+  if (!missing.empty())
+    for_each_frame(source, [&](const Frame& frame) {
+      for (const Particle& particle : frame.particles) present.insert(particle.type);
+      return true;
+    });
   std::erase_if(missing, [&](int type) { return present.count(type) != 0; });
+  for (std::size_t i = 0; i < types.wanted().size(); ++i)
+    if (std::find(missing.begin(), missing.end(), types.wanted()[i]) == missing.end())
+      source.notes->add(types.without(i));
   if (missing.empty()) return;
   if (missing.size() == types.wanted().size())
-    throw bad_input({option}, "no disc is of such a type", fmt::format("some of {}", fmt::join(present, ",")),
+    throw bad_input({types.option()}, "no disc is of such a type",
+                    fmt::format("some of {}", fmt::join(present, ",")),
                     fmt::format("{}", fmt::join(missing, ",")));
-  source.notes->add(fmt::format("{}: no disc is of type {}; the types are {}", option,
+  source.notes->add(fmt::format("{}: no disc is of type {}; the types are {}", types.option(),
                                 fmt::join(missing, ","), fmt::join(present, ",")));
 }
 
@@ -166,14 +173,14 @@ void note_empty_frames(const FrameSource& source, const VolumeOptions& volumes,
 void check_before(FrameSource source, const VolumeOptions& volumes, const std::vector<int>& wheel_types) {
   if (!volumes.bulk_types.empty() || !wheel_types.empty())
     source.particles_needed |= column_set(ParticleColumn::type);
-  TypesSeen bulk(volumes.bulk_types), wheel(wheel_types);
+  TypesSeen bulk("--bulk-types", volumes.bulk_types), wheel("--wheel-types", wheel_types);
   for_each_frame(source, [&](const Frame& frame) {
     bulk.look(frame);
     wheel.look(frame);
     return !bulk.missing().empty() || !wheel.missing().empty();
   });
-  check_types(source, "--bulk-types", bulk);
-  check_types(source, "--wheel-types", wheel);
+  check_types(source, bulk);
+  check_types(source, wheel);
   if (!numbers_of(volumes).empty()) check_coverage(source, volumes);
 }
 

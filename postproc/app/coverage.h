@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,24 +15,29 @@
 
 namespace mikromakro {
 
-/// Which of the types named in an option have occurred. look() is thread-safe and free of cost once all types
-/// are found.
+/// Which of the types named in an option have occurred, and the frames without them. look() is thread-safe.
 class TypesSeen {
  public:
-  explicit TypesSeen(std::vector<int> wanted);
+  TypesSeen(std::string_view option, std::vector<int> wanted);
 
   void look(const Frame& frame);
   std::vector<int> missing() const;
   const std::vector<int>& wanted() const { return wanted_; }
+  const std::string& option() const { return option_; }
+  /// The frames without the i-th wanted type, as a note.
+  Notes& without(std::size_t i) { return without_[i]; }
+  const Notes& without(std::size_t i) const { return without_[i]; }
 
  private:
+  std::string option_;
   std::vector<int> wanted_;
   std::vector<std::atomic<bool>> seen_;
+  std::vector<Notes> without_;
 };
 
-/// Throws if no frame has a disc of any of the wanted types; notes if only some types are missing. Re-reads
-/// the frames if types are missing, since other ranks may have seen them.
-void check_types(const FrameSource& source, std::string_view option, const TypesSeen& types);
+/// Throws if no frame has a disc of any of the wanted types; notes if only some types are missing, in all
+/// frames or in some. Re-reads the frames if types are missing, since other ranks may have seen them.
+void check_types(const FrameSource& source, const TypesSeen& types);
 
 /// For averages whose sums are all zero: throws if the volumes contain no part of any averaged disc, and
 /// reports where the discs are. Re-reads the frames up to the first that is not empty.

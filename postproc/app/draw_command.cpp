@@ -10,6 +10,7 @@
 #include "app/input_options.h"
 #include "app/progress.h"
 #include "app/run_constants.h"
+#include "app/runs_used.h"
 #include "app/warnings.h"
 #include "drawing/picture.h"
 #include "io/files/file_list.h"
@@ -142,14 +143,17 @@ std::int64_t add_frames(const FrameSource& source, const DrawOptions& options, P
   FrameStream stream(source);
   Frame frame;
   std::int64_t frames = 0;
-  TypesSeen types(options.style.bulk_types);
+  TypesSeen types("--bulk-types", options.style.bulk_types);
+  RunsUsed runs(1 + source.further_runs.size());
   for (; stream.next(frame); ++frames) {
     check_time(frame, stream.raw().particle_file, options.style.time_step);
     scales.add(frame, options.style);
     types.look(frame);
+    runs.add(frame.run);
   }
   if (frames == 0) throw source.no_frame_selected();
-  check_types(source, "--bulk-types", types);
+  note_unused_runs(source, runs);
+  check_types(source, types);
   check_scales(options, scales, *source.notes);
   tell(*source.notes);
   return frames;

@@ -114,6 +114,28 @@ void check_comparable(const CsvTable& table, const CsvTable& first, const std::s
                     fmt::format("{:.6g} to {:.6g}", r.minCoeff(), r.maxCoeff()));
 }
 
+// What `average` says of its input above a table.
+std::set<std::string> input_lines(const CsvTable& table) {
+  std::set<std::string> lines;
+  for (const std::string& line : table.comments())
+    for (const std::string_view name :
+         {"snapshots: ", "particles: ", "frames: ", "bulk types: ", "density: ", "frames of "})
+      if (line.starts_with(name)) lines.insert(line);
+  return lines;
+}
+
+// A further table of other frames is no choice but another profile.
+void note_other_input(const CsvTable& table, const CsvTable& first) {
+  const std::set<std::string> here = input_lines(table), there = input_lines(first);
+  if (here.empty() || there.empty()) return;
+  for (const std::string& line : here)
+    if (there.count(line) == 0)
+      return tell(fmt::format(
+          "{} is not of the same discs and frames as {} ({}): the spread over choices would be that of "
+          "profiles that differ",
+          table.file(), first.file(), line));
+}
+
 FitWay way_of(const FitOptions& options) {
   FitWay way;
   if (options.log) way.of = FitOf::log_v;
@@ -184,6 +206,7 @@ FitReport fit_files(const FitOptions& options) {
   for (const std::string& file : options.files) {
     tables.push_back(ring_table(file));
     check_comparable(tables.back(), tables.front(), options.column);
+    note_other_input(tables.back(), tables.front());
     profiles.push_back(profile_of(tables.back(), options));
   }
   const CsvTable& table = tables.front();
@@ -193,6 +216,9 @@ FitReport fit_files(const FitOptions& options) {
   report.way = way_of(options);
   take_wheel(options, table, report);
   report.fitted = fit_exponential(profile, report.r_i, report.way);
+  if (report.fitted.v0 * report.scale < 0)
+    tell(fmt::format("--omega {}: the wheel turns against the profile, v0 = {} m/s (clockwise is negative)",
+                     options.omega, report.fitted.v0));
   const Eigen::ArrayXd r = profile.r(report.fitted.used);
   report.first_r = r.minCoeff();
   report.last_r = r.maxCoeff();

@@ -24,10 +24,9 @@ std::size_t stride_of(std::size_t count) {
 }
 
 void note_height(const Frame& frame, double height, Notes& notes) {
-  constexpr double most = 100, least = 1e-4;  // in units of radii
   if (!(height > 0) || frame.particles.empty()) return;
   const double radius = frame.particles.front().radius;
-  if (height > most * radius || height < least * radius)
+  if (!is_plausible_height(height, radius))
     notes.add(
         fmt::format("--height {} is {:.3g} times the radius of a disc (it is in m)", height, height / radius),
         frame.step);
@@ -37,6 +36,12 @@ void note_kernel(const Frame& frame, const VolumeOptions& volumes, Notes& notes)
   if (kernel_width(volumes) > frame.box.length().maxCoeff())
     notes.add(fmt::format("--weight {}: the kernel is wider than the box (W is in m)", volumes.weight),
               frame.step);
+}
+
+// One digit, so that the notes of many frames are the same.
+std::string of_one_digit(double number) {
+  const double scale = std::pow(10, std::floor(std::log10(number)));
+  return fmt::format("{:g}", scale * std::round(number / scale));
 }
 
 // Bounding box of all volumes; none if no option defines them.
@@ -62,6 +67,11 @@ void note_extent(const Frame& frame, const VolumeOptions& volumes, Notes& notes)
     discs.extend(disc.position - corner).extend(disc.position + corner);
   }
   const Eigen::Vector2d length = bounds->length();
+  if (length.maxCoeff() < frame.particles.front().radius)
+    notes.add(fmt::format("{}: the volumes, {:.6g} m by {:.6g} m in all, are smaller than a disc (numbers of "
+                          "another unit?)",
+                          volume_option(volumes), length.x(), length.y()),
+              frame.step);
   if ((length.array() <= most * discs.sizes().array()).all()) return;
   notes.add(fmt::format(
                 "{}: the volumes, {:.6g} m by {:.6g} m, are more than {} times as long as the region of the "
@@ -78,10 +88,13 @@ void note_volumes(const Frame& frame, const VolumeOptions& volumes, Notes& notes
   note_extent(frame, volumes, notes);
 }
 
+bool lack_walls(const InputOptions& input) {
+  return input.contact_columns.size() == 1 && input.walls.empty();  // the name of a preset
+}
+
 void note_walls(const Frame& frame, const InputOptions& input, Notes& notes) {
-  const bool of_stock = input.contact_columns.size() == 1;  // a preset
   const bool closed = frame.box.boundaries_known && (!frame.box.periodic[0] || !frame.box.periodic[1]);
-  if (of_stock && closed && input.walls.empty() && frame.contacts.size() >= enough_for_a_packing)
+  if (lack_walls(input) && closed && frame.contacts.size() >= enough_for_a_packing)
     notes.add(fmt::format(
         "--contact-columns {}: these rows lack contacts with walls that are no discs, and stresses near "
         "such walls lack them (--wall-contacts adds those of meshes)",
@@ -108,6 +121,26 @@ void note_branch(const Frame& frame, const VolumeOptions& volumes, Notes& notes)
         frame.step);
 }
 
+void note_friction(const Frame& frame, double mu, Notes& notes) {
+  if (mu == 0 || frame.contacts.size() < enough_for_a_packing) return;
+  constexpr double rounding = 1e-4;
+  std::size_t all = 0, beyond = 0;
+  for (std::size_t i = 0; i < frame.contacts.size(); i += stride_of(frame.contacts.size())) {
+    const Contact& contact = frame.contacts[i];
+    const Eigen::Vector2d tangent(-contact.normal.y(), contact.normal.x());
+    ++all;
+    if (std::abs(contact.force.dot(tangent)) >
+        (1 + rounding) * mu * std::abs(contact.force.dot(contact.normal)))
+      ++beyond;
+  }
+  if (10 * beyond > all)
+    notes.add(fmt::format(
+                  "--mu {}: more than a tenth of the contacts carry larger tangential forces than mu allows "
+                  "(of another run?)",
+                  mu),
+              frame.step);
+}
+
 void note_stiffness(const Frame& frame, double normal_stiffness, Notes& notes) {
   if (normal_stiffness == 0 || frame.contacts.empty()) return;
   const std::size_t stride = stride_of(frame.contacts.size());
@@ -117,16 +150,20 @@ void note_stiffness(const Frame& frame, double normal_stiffness, Notes& notes) {
     const double slope = -contact.force.dot(contact.normal) / contact.overlap;
     if (contact.overlap > 0 && slope > 0) slopes.push_back(slope);
   }
-  constexpr std::size_t few = 5;
+  constexpr std::size_t few = 5, many = 20;
   if (slopes.size() < few) return;
-  const auto middle = slopes.begin() + std::ssize(slopes) / 2;
-  std::nth_element(slopes.begin(), middle, slopes.end());
-  constexpr double factor = 3;
-  if (*middle > factor * normal_stiffness || *middle < normal_stiffness / factor)
-    notes.add(fmt::format("k_n = {} N/m, but forces over overlaps are of the order of {:g} N/m (another "
-                          "unit, or of another "
-                          "run?)",
-                          normal_stiffness, std::pow(10, std::round(std::log10(*middle)))),
+  std::sort(slopes.begin(), slopes.end());
+  const double middle = slopes[slopes.size() / 2];
+  double least = middle / 3, most = 3 * middle;
+  if (slopes.size() >= many) {
+    least = 0.9 * slopes[slopes.size() / 20];
+    most = 1.1 * slopes[slopes.size() - 1 - slopes.size() / 20];
+  }
+  if (normal_stiffness > most || normal_stiffness < least)
+    notes.add(fmt::format(
+                  "k_n = {} N/m is not that of the contacts (another unit, or of another run?): forces over "
+                  "overlaps are {} N/m in the middle",
+                  normal_stiffness, of_one_digit(middle)),
               frame.step);
 }
 

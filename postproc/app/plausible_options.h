@@ -10,9 +10,12 @@
 
 namespace mikromakro {
 
-/// Notes a height above 100 radii (given in mm, say) or below 1e-4 radii, a kernel wider than the box, and
-/// volumes that extend more than five times as far as the discs.
+/// Notes a height that is not plausible (given in mm, say), a kernel wider than the box, and volumes that
+/// together extend more than five times as far as the discs, or less than a radius.
 void note_volumes(const Frame& frame, const VolumeOptions& volumes, Notes& notes);
+
+/// Whether the contact rows are those of stock engines, without a file of those with walls.
+bool lack_walls(const InputOptions& input);
 
 /// For stresses: notes that contact rows of stock engines lack contacts with walls, unless the box is
 /// periodic.
@@ -22,9 +25,12 @@ void note_walls(const Frame& frame, const InputOptions& input, Notes& notes);
 /// than 2 %, from the mean overlap over the mean diameter.
 void note_branch(const Frame& frame, const VolumeOptions& volumes, Notes& notes);
 
-/// Notes if the median of f_n/overlap over a sample of contacts differs from `normal_stiffness` (N/m) by more
-/// than a factor of three, which dashpots and Hertz's law do not reach. Does nothing for 0, or if fewer than
-/// five contacts have both.
+/// Notes if more than a tenth of a sample of contacts carry |f_t| > mu |f_n|. Does nothing for 0.
+void note_friction(const Frame& frame, double mu, Notes& notes);
+
+/// Notes if `normal_stiffness` (N/m) lies outside of the middle 90 % of f_n/overlap over a sample of contacts
+/// by more than a tenth, within which dashpots scatter it; for fewer than 20 contacts, if the median differs
+/// by more than a factor of three. Does nothing for 0, or if fewer than five contacts have both.
 void note_stiffness(const Frame& frame, double normal_stiffness, Notes& notes);
 
 }  // namespace mikromakro

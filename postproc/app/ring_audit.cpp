@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "app/audits.h"
@@ -51,6 +53,18 @@ VolumeOptions checked(const VolumeOptions& options) {
   return volumes;
 }
 
+// The balance holds for the wheel inside of the rings.
+void note_wheel_outside(const Frame& frame, const AuditOptions& options, double last_edge, Notes& notes) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Particle& disc : frame.particles)
+    if (std::find(options.wheel_types.begin(), options.wheel_types.end(), disc.type) !=
+        options.wheel_types.end())
+      nearest = std::min(nearest, (disc.position - ring_centre(options.volumes)).norm());
+  if (std::isfinite(nearest) && nearest > last_edge)
+    notes.add("--wheel-types: all discs of the wheel are outside of the rings (the types of the outer ring?)",
+              frame.step);
+}
+
 RingAudit audit(const AuditOptions& options) {
   const VolumeOptions volumes = checked(options.volumes);
   const auto rings = make_averager(volumes, make_fields({"solid_fraction", "stress"}));
@@ -64,6 +78,7 @@ RingAudit audit(const AuditOptions& options) {
   RingAudit result;
   result.units = options.units;
   result.frames = read_frames(source, options, [&](const Frame& frame) {
+    note_wheel_outside(frame, options, ring_edges(volumes).back(), *source.notes);
     const Rows sums = whole->frame_sums(frame);
     of_rings.add(rings->frame_sums(frame));
     of_whole.add(sums);

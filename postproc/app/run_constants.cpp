@@ -9,6 +9,7 @@
 #include <set>
 
 #include "io/snapshot/snapshot_parameters.h"
+#include "io/snapshot/snapshot_summary.h"
 #include "model/error.h"
 
 namespace mikromakro {
@@ -103,14 +104,56 @@ void take_stiffness(const FrameSource& source, const std::vector<int>& bulk_type
   fields.stiffness_of_run = stiffness;
 }
 
-void compare_friction(const FrameSource& source, double mu) {
-  if (mu == 0) return;
+void take_friction(const FrameSource& source, FieldChoice& fields) {
+  double& mu = fields.numbers.friction_coefficient;
+  const bool wanted =
+      std::find(fields.names.begin(), fields.names.end(), "sliding_fraction") != fields.names.end();
   for (const auto& [file, constants] : constants_of(source)) {
     const auto& all = constants.friction;
+    const bool one = std::all_of(all.begin(), all.end(), [&](double value) { return same(value, all[0]); });
+    if (mu == 0 && wanted && one && !all.empty()) mu = all[0];
     const auto other = std::find_if(all.begin(), all.end(), [mu](double value) { return !same(value, mu); });
-    if (other != all.end())
+    if (mu > 0 && other != all.end())
       source.notes->add(fmt::format("--mu {} is used, but {} says {}", mu, file, *other));
   }
+}
+
+void note_other_runs(const FrameSource& source) {
+  const auto all = constants_of(source);
+  if (all.size() < 2) return;
+  const auto& [first, there] = all.front();
+  const auto differ = [](const std::vector<double>& a, const std::vector<double>& b) {
+    return !std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+  };
+  for (const auto& [file, constants] : all) {
+    const auto note = [&](const std::string& what) {
+      source.notes->add(fmt::format("{} is of another run than {}: {}", file, first, what));
+    };
+    if (constants.law != there.law) note(fmt::format("{}, there {}", constants.law, there.law));
+    if (differ(constants.normal_stiffness, there.normal_stiffness)) note("other k_n");
+    if (differ(constants.friction, there.friction)) note("other mu");
+  }
+  for (const Run& run : source.runs()) {
+    double last = not_given;
+    for (const std::string& file : run.snapshot_files) {
+      const std::vector<double> times = summarise_snapshots(Hdf5File::open(file), file).times;
+      if (times.empty()) continue;
+      if (times.front() < last)
+        source.notes->add(
+            fmt::format("{}: times go back to {} s from {} s, though steps go on (another run, or another "
+                        "time step? runs are --snapshots each)",
+                        file, times.front(), last));
+      last = times.back();
+    }
+  }
+}
+
+void note_unrecorded_walls(const FrameSource& source) {
+  for (const auto& [file, constants] : constants_of(source))
+    if (!constants.unrecorded_walls.empty())
+      source.notes->add(
+          fmt::format("{}: contacts with {} are not in the rows, and stresses near these lack them", file,
+                      constants.unrecorded_walls));
 }
 
 void note_time(const Frame& frame, double& last, Notes& notes) {

@@ -15,8 +15,15 @@ void take_height(const FrameSource& source, double& height);
 /// taken, which is noted if `fields` need it.
 void take_stiffness(const FrameSource& source, const std::vector<int>& bulk_types, FieldChoice& fields);
 
-/// Notes if `mu` is given (above 0) and differs from that of a file.
-void compare_friction(const FrameSource& source, double mu);
+/// The same for mu of sliding_fraction, if that is among the names of `fields`.
+void take_friction(const FrameSource& source, FieldChoice& fields);
+
+/// Notes files of another law, k_n or mu than the first, and a file whose times begin before the last time of
+/// the one before it in the same run.
+void note_other_runs(const FrameSource& source);
+
+/// Notes files whose rows lack the contacts with some walls.
+void note_unrecorded_walls(const FrameSource& source);
 
 /// Throws if step * `time_step` (s; 0: not given) is not the time that the file gives for the frame: the time
 /// step of its run may have changed.

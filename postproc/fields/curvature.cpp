@@ -10,11 +10,13 @@
 namespace mikromakro {
 namespace {
 
-// Offsets of the sums: from springs, from forces, magnitude of the springs, l (x) l.
+// Offsets of the sums: from springs, from forces, magnitudes of the springs, of all tangential forces and of
+// those without a spring, l (x) l.
 constexpr int of_springs = 0;
 constexpr int of_forces = 2;
 constexpr int spring_size = 4;
-constexpr int dyad = 5;
+constexpr int all_tangential = 5, without_spring = 6;
+constexpr int dyad = 7;
 
 // A tangential force below this fraction of the force is rounding (including that of text dumps) from a law
 // without friction.
@@ -23,6 +25,13 @@ constexpr double no_friction = 1e-9;
 // One choice for all volumes: a volume without tangential forces is subject to the same law as the others.
 bool has_springs(const ConstRowsRef& numbers) {
   return (numbers.col(spring_size) > 0).any();
+}
+
+// Frames of two laws, or some of whose rows give no springs: neither displacement is that of all contacts.
+// Springs that have only just been created may be 0.
+bool are_mixed(const ConstRowsRef& numbers) {
+  constexpr double few = 0.01;
+  return has_springs(numbers) && numbers.col(without_spring).sum() > few * numbers.col(all_tangential).sum();
 }
 
 }  // namespace
@@ -50,13 +59,15 @@ void Curvature::add_contacts(const Disc& /*disc*/, std::span<const DiscContact> 
       quantity[of_forces + place] += force * arm * contact.branch[axis];
     }
     quantity[spring_size] += std::abs(spring);
+    quantity[all_tangential] += std::abs(force);
+    if (spring == 0) quantity[without_spring] += std::abs(force);
   }
   add_branch_dyad(contacts, quantity.subspan(dyad));
 }
 
 void Curvature::solve(const VolumeData& /*volumes*/, const ConstRowsRef& numbers, RowsRef columns) const {
   const bool springs = has_springs(numbers);
-  if (!springs && !(normal_stiffness_ > 0)) {
+  if (are_mixed(numbers) || (!springs && !(normal_stiffness_ > 0))) {
     columns = std::numeric_limits<double>::quiet_NaN();
     return;
   }
@@ -70,6 +81,10 @@ void Curvature::solve(const VolumeData& /*volumes*/, const ConstRowsRef& numbers
 }
 
 std::string Curvature::note(const ConstRowsRef& numbers) const {
+  if (are_mixed(numbers))
+    return "curvature: some tangential forces have springs and others have none (frames of two laws, or rows "
+           "without "
+           "their column?), not defined";
   if (has_springs(numbers)) return "curvature: Delta_t = -xi t, from the tangential springs";
   if (normal_stiffness_ > 0) return "curvature: no tangential springs, Delta_t = f_t/k_n";
   return "curvature: no tangential springs and no --kn, not defined";

@@ -309,6 +309,32 @@ void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>
         fmt::format("springs, which pull back (f_t = -k_t {})", by_xi ? "xi" : "shear"), "another quantity");
 }
 
+/// f_t/xi over f_n/overlap is k_t/k_n, near 1, whether contacts slide or not. Laws without a dashpot aside it
+/// scatters.
+void note_size_of_springs(const std::vector<Contact>& contacts, const ContactRules& rules) {
+  constexpr std::size_t enough = 20;
+  constexpr double most = 100;
+  double tangential = 0, springs = 0, normal = 0, overlaps = 0;
+  std::size_t count = 0;
+  for (const Contact& contact : contacts) {
+    if (!(std::abs(contact.spring) > 0)) continue;
+    const double pushing = -contact.force.dot(contact.normal);
+    ++count;
+    tangential += std::abs(contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x())));
+    springs += std::abs(contact.spring);
+    normal += std::abs(pushing);
+    overlaps += std::abs(contact.overlap);
+  }
+  if (rules.notes == nullptr || count < enough || !(tangential > 0 && normal > 0)) return;
+  const double ratio = tangential / springs * overlaps / normal;
+  if (ratio > most || ratio < 1 / most)
+    rules.notes->add(
+        "f_t over the tangential springs is not within a hundred times f_n over the overlaps (springs of "
+        "another unit, or "
+        "another quantity in their column?)",
+        rules.step);
+}
+
 }  // namespace
 
 std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& discs,
@@ -326,8 +352,9 @@ std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& 
     row_of.push_back(i);
     deep += joiner.is_deep(contact) ? 1 : 0;
   }
-  check_pairs(contacts, row_of, rows, discs.particles, discs.box);
+  check_pairs(contacts, row_of, rows, discs.particles, discs.box, rules.notes, rules.step);
   check_springs_pull_back(rows, contacts, rules.closely);
+  if (rules.closely) note_size_of_springs(contacts, rules);
   const auto left_out = static_cast<std::int64_t>(rows.rows.size() - contacts.size());
   if (rules.notes == nullptr) return contacts;
   if (left_out > 0)

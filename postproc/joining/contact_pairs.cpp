@@ -89,10 +89,38 @@ void check_walls_differ(const std::vector<Contact>& contacts, const std::vector<
   }
 }
 
+// One side of a disc that touches two walls of the same file: both may act, where a script defines a wall
+// twice.
+void note_walls_twice(const std::vector<Contact>& contacts, const std::vector<Particle>& discs, Notes& notes,
+                      std::int64_t step) {
+  std::vector<std::size_t> walls;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (contacts[k].with_wall()) walls.push_back(k);
+  std::stable_sort(walls.begin(), walls.end(),
+                   [&](std::size_t a, std::size_t b) { return contacts[a].index1 < contacts[b].index1; });
+  std::int64_t twice = 0;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const Contact& one = contacts[walls[i]];
+    const double radius = discs[static_cast<std::size_t>(one.index1)].radius;
+    for (std::size_t j = i + 1; j < walls.size() && contacts[walls[j]].index1 == one.index1; ++j) {
+      const Contact& other = contacts[walls[j]];
+      twice += one.id2 != other.id2 && (one.normal - other.normal).norm() <= same_side &&
+                       std::abs(one.overlap - other.overlap) <= same_side * radius
+                   ? 1
+                   : 0;
+    }
+  }
+  if (twice > 0)
+    notes.add("discs touch two walls on the same side by the same overlap (a wall defined or listed twice?)",
+              step, twice);
+}
+
 }  // namespace
 
 void check_pairs(const std::vector<Contact>& contacts, const std::vector<std::size_t>& row_of,
-                 const ContactRows& rows, const std::vector<Particle>& discs, const Box& box) {
+                 const ContactRows& rows, const std::vector<Particle>& discs, const Box& box, Notes* notes,
+                 std::int64_t step) {
+  if (notes != nullptr) note_walls_twice(contacts, discs, *notes, step);
   if (!rows.wall_file.empty()) check_walls_differ(contacts, row_of, rows, discs);
   if (all_pairs_differ(contacts)) return;
   const BranchImages images(box);

@@ -2,17 +2,20 @@
 // Checks that each pair is listed once.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "model/contact_rows.h"
 #include "model/frame.h"
+#include "model/notes.h"
 
 namespace mikromakro {
 
 /// Throws on a pair that is listed twice, except through different periodic images or on several faces of a
-/// mesh, and on a contact with a wall that is in both files under different ids of the wall. Contact k comes
-/// from row row_of[k].
+/// mesh, and on a contact with a wall that is in both files under different ids of the wall; notes those that
+/// one file has under two ids. Contact k comes from row row_of[k].
 void check_pairs(const std::vector<Contact>& contacts, const std::vector<std::size_t>& row_of,
-                 const ContactRows& rows, const std::vector<Particle>& discs, const Box& box);
+                 const ContactRows& rows, const std::vector<Particle>& discs, const Box& box, Notes* notes,
+                 std::int64_t step);
 
 }  // namespace mikromakro

@@ -200,8 +200,8 @@ void note_overlaps(const RawFrame& raw, const std::vector<Contact>& contacts, co
   });
   if (on_one_another > 0)
     rules.notes->add(
-        "discs lie on one another, by more than half a radius (a periodic box that is too short, or a "
-        "packing that is there twice?); looked for now and then",
+        "discs lie on one another, by more than half a radius (radii of another unit, or diameters? a "
+        "periodic box that is too short? a packing that is there twice?); looked for now and then",
         raw.step, on_one_another);
   if (unlisted > 0)
     rules.notes->add(

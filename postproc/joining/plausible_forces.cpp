@@ -15,8 +15,10 @@ struct Push {
   double all = 0;      // sum |f|
   std::size_t count = 0;
 
+  static constexpr std::size_t few = 5;
+  double mean() const { return all / static_cast<double>(count); }
   bool is_none() const {
-    constexpr std::size_t few = 5, many = 20;
+    constexpr std::size_t many = 20;
     return count >= few && all > 0 && pushing < (count < many ? -0.25 : 0.25) * all;
   }
 };
@@ -51,7 +53,19 @@ void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules
 }
 
 void note_wall_forces(const std::vector<Contact>& contacts, const ContactRules& rules) {
-  if (rules.notes != nullptr && push_of(contacts, 1, true).is_none())
+  if (rules.notes == nullptr || contacts.empty()) return;
+  const Push walls = push_of(contacts, 1, true);
+  if (walls.count < Push::few) return;
+  if (walls.all == 0)
+    rules.notes->add("all forces of walls are 0 though discs touch them (another column?)", rules.step);
+  constexpr std::size_t enough = 64;
+  constexpr double most = 100;
+  const Push pairs = push_of(contacts, 1 + (contacts.size() - 1) / enough, false);
+  if (pairs.count >= Push::few && pairs.all > 0 && walls.mean() > most * pairs.mean())
+    rules.notes->add(
+        "forces of walls are more than a hundred times those of pairs of discs, on average (another unit?)",
+        rules.step);
+  if (walls.is_none())
     rules.notes->add(
         "walls pull on the whole, or their forces are across (forces on the wall? columns exchanged?); the "
         "force is the one on the disc, and without adhesion walls push",

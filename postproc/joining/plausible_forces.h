@@ -17,8 +17,9 @@ namespace mikromakro {
 /// does not push. Does nothing if forces are not given (nan).
 void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules);
 
-/// The second check for the contacts with walls alone, all of them. Walls are few and their rows are often of
-/// another file, so that a wrong sign would hide among the pairs.
+/// The same of the contacts with walls alone, all of them, from five on; and if their forces are more than a
+/// hundred times those of pairs on average. Walls are few and their rows are often of another file, so that a
+/// wrong sign or unit would hide among the pairs.
 void note_wall_forces(const std::vector<Contact>& contacts, const ContactRules& rules);
 
 /// Notes if overlaps are derived from coordinates (no column gives them) and are on average less than a third

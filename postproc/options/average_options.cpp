@@ -78,7 +78,7 @@ BlockErrors write_averages(const AverageOptions& options, const Averager& averag
   Table table = averager.solve(mean);
   describe_fields(options.fields, lines);
   describe_frames(averaged, lines);
-  describe_volumes(options.volumes, lines);
+  describe_volumes(options.volumes, lines, true, averager.uses_height());
   describe_numbers(options.fields, lines);
   for (const std::string& note : averager.notes(mean)) lines.emplace_back("note", note);
   BlockErrors errors;

@@ -203,6 +203,10 @@ Eigen::Vector2d ring_centre(const VolumeOptions& options) {
   return {options.center[0], options.center[1]};
 }
 
+bool is_plausible_height(double height, double radius) {
+  return height >= 0.02 * radius && height <= 100 * radius;
+}
+
 std::unique_ptr<const Averager> make_averager(const VolumeOptions& options, FieldList fields) {
   check_choice(options);
   check_width(options);
@@ -216,7 +220,7 @@ std::string branch_name(const VolumeOptions& options) {
   return make_weight(options.weight)->is_kernel() ? "contact" : "radius";
 }
 
-void describe_volumes(const VolumeOptions& options, Preamble& lines, bool with_weight) {
+void describe_volumes(const VolumeOptions& options, Preamble& lines, bool with_weight, bool needs_height) {
   const auto add = [&](std::string_view name, const std::vector<double>& numbers, std::string_view between) {
     if (!numbers.empty()) lines.emplace_back(name, fmt::format("{}", fmt::join(numbers, between)));
   };
@@ -230,8 +234,9 @@ void describe_volumes(const VolumeOptions& options, Preamble& lines, bool with_w
     add("center", {centre[0], centre[1]}, " ");
   }
   if (with_weight) describe_weight(options, lines);
-  lines.emplace_back("height", options.height > 0 ? fmt::format("{} m", options.height)
-                                                  : "none given: forces per length in place of stresses");
+  if (options.height > 0 || needs_height)
+    lines.emplace_back("height", options.height > 0 ? fmt::format("{} m", options.height)
+                                                    : "none given: forces per length in place of stresses");
   lines.emplace_back("bulk types", options.bulk_types.empty()
                                        ? "all"
                                        : fmt::format("{}", fmt::join(options.bulk_types, ",")));

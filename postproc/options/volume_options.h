@@ -36,6 +36,9 @@ double kernel_width(const VolumeOptions& options);
 /// The height, or 1 if not known.
 double thickness(const VolumeOptions& options);
 
+/// From a fiftieth of a radius (sheets) to 100 radii (rods).
+bool is_plausible_height(double height, double radius);
+
 /// The option that defines the volumes, for messages.
 std::string_view volume_option(const VolumeOptions& options);
 
@@ -52,7 +55,8 @@ Eigen::Vector2d ring_centre(const VolumeOptions& options);
 /// The branch vectors in use, `radius` or `contact`: as given, or as implied by the weight.
 std::string branch_name(const VolumeOptions& options);
 
-/// Header lines of a table: the volumes and the discs; if a single weight is used, how discs count.
-void describe_volumes(const VolumeOptions& options, Preamble& lines, bool with_weight = true);
+/// Header lines of a table: the volumes and the discs; if a single weight is used, how discs count; that
+/// there is no height, if it is needed.
+void describe_volumes(const VolumeOptions& options, Preamble& lines, bool with_weight, bool needs_height);
 
 }  // namespace mikromakro

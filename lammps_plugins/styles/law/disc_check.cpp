@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "atom.h"
@@ -192,6 +193,34 @@ void warn_of_spheres(LAMMPS& engine, const std::string& style) {
   }
 }
 
+/// LAMMPS' fix pour gives spheres, whatever the dimension.
+void warn_of_poured_spheres(LAMMPS& engine) {
+  // Once, not in each piece of `run N every M`.
+  if (engine.atom->natoms > 0 && engine.update->ntimestep > 0) return;
+  for (const Fix* fix : fixes(*engine.modify))
+    if (std::strcmp(fix->style, "pour") == 0)
+      warn(engine, std::string("fix ") + fix->id +
+                       " (pour) inserts discs with the masses of spheres; expected m = rho h pi a^2, by 'run "
+                       "N every M \"" +
+                       set_density + "\"', which sets those inserted since");
+}
+
+/// Above that of metals for discs as high as 100 radii: a density of a volume in place of one of an area.
+void warn_of_density(LAMMPS& engine, const std::string& style) {
+  constexpr double metals = 20000, highest = 5;  // kg/m^3, diameters
+  if (std::strcmp(engine.update->unit_style, "si") != 0) return;
+  const Atom& atom = *engine.atom;
+  const int disc = first_disc(engine, [&](int i) {
+    const double radius = atom.radius[i], area = std::numbers::pi * radius * radius;
+    return atom.rmass[i] > metals * area * 2 * radius * highest;
+  });
+  if (disc != none)
+    warn(engine, style + ": disc " + std::to_string(disc) +
+                     " is heavier than five diameters of metal: the density of discs is that of an area, rho "
+                     "h in kg/m^2, not "
+                     "kg/m^3");
+}
+
 }  // namespace
 
 void check_discs(LAMMPS& engine, const std::string& style, bool with_springs) {
@@ -201,6 +230,8 @@ void check_discs(LAMMPS& engine, const std::string& style, bool with_springs) {
   check_integrators(engine, style);
   warn_of_integrators(engine, style);
   warn_of_spheres(engine, style);
+  warn_of_poured_spheres(engine);
+  warn_of_density(engine, style);
 }
 
 }  // namespace mikromakro::styles

@@ -37,9 +37,6 @@ std::vector<Effect> effects(const physics::Effects& law, const LAMMPS_NS::Modify
     const auto* source = dynamic_cast<const WallContactSource*>(fix);
     return source && !source->wall_kinds().empty();
   };
-  const auto stock_wall = [](const Fix* fix) {
-    return std::strncmp(fix->style, "wall", 4) == 0 && !dynamic_cast<const WallContactSource*>(fix);
-  };
   std::vector<Effect> all = {
       {with_law(law.normal, [](auto of) { return of.effect; }), true},
       {"normal dashpot", law.normal_dashpot},
@@ -50,11 +47,17 @@ std::vector<Effect> effects(const physics::Effects& law, const LAMMPS_NS::Modify
       {"gravity", any_fix(modify, style("gravity"))},
       {"smooth walls", any_fix(modify, wall)}};
   // Mentioned only if present.
-  if (any_fix(modify, stock_wall)) all.push_back({"walls of the engine under their own law", true});
+  if (has_engine_walls(modify)) all.push_back({engine_walls, true});
   return all;
 }
 
 }  // namespace
+
+bool has_engine_walls(const LAMMPS_NS::Modify& modify) {
+  return any_fix(modify, [](const Fix* fix) {
+    return std::strncmp(fix->style, "wall", 4) == 0 && !dynamic_cast<const WallContactSource*>(fix);
+  });
+}
 
 std::vector<std::string> simulated_effects(const physics::Effects& law, const LAMMPS_NS::Modify& modify) {
   std::vector<std::string> names;

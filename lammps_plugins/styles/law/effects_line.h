@@ -13,6 +13,10 @@ class Modify;
 
 namespace mikromakro::styles {
 
+/// The effect of the engine's own walls, whose contacts are not in our rows.
+inline constexpr const char* engine_walls = "walls of the engine under their own law";
+bool has_engine_walls(const LAMMPS_NS::Modify& modify);
+
 /// Names of the effects of the contact law and of the defined fixes: bottom friction, gravity, our smooth
 /// walls, the engine's walls (its fixes wall/...).
 std::vector<std::string> simulated_effects(const physics::Effects& law, const LAMMPS_NS::Modify& modify);

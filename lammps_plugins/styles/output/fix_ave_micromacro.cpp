@@ -13,6 +13,7 @@
 #include "group.h"
 #include "io/frames/frame_stream.h"
 #include "law/disc_law.h"
+#include "law/effects_line.h"
 #include "mikromakro_version.h"
 #include "model/error.h"
 #include "model/nearest_name.h"
@@ -142,6 +143,7 @@ void FixAveMicromacro::setup(int /*vflag*/) {
   warn_of_discs_outside(*lmp, *this);
   warn_of_constants();
   warn_of_change();
+  warn_of_height(*lmp, *this, options_.volumes.height);
 }
 
 void FixAveMicromacro::warn_of_change() {
@@ -206,9 +208,12 @@ void FixAveMicromacro::run_ended() {
 
 void FixAveMicromacro::write() {
   TableOutputs outputs(names_at(options_.out, update->ntimestep));
-  const Preamble lines = {
+  Preamble lines = {
       {"program", "mikromakro " MIKROMAKRO_VERSION " fix ave/micromacro"},
       {"run", std::string("group ") + group->names[igroup] + ", every " + std::to_string(nevery) + " steps"}};
+  const bool forces = (averager_->contacts_needed() & column_set(ContactColumn::fx)) != 0;
+  if (forces && has_engine_walls(*modify))
+    lines.emplace_back("warning", std::string("contacts with ") + engine_walls + " are not in the averages");
   if ((averaged_.sums.mean() == 0).all())
     tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
                    "): no disc lies in the volumes, or is of the types that are averaged");

@@ -65,6 +65,7 @@ void FixSnapshotDisc::init() {
 
 void FixSnapshotDisc::setup(int /*vflag*/) {
   warn_of_discs_outside(*lmp, *this);
+  warn_of_height(*lmp, *this, height_);
   const bool first_run = !begun_;
   const bool due = update->ntimestep % nevery == 0 || (first_run && at_start_);
   const SnapshotParameters record = run_record(*lmp, group->names[igroup], height_);

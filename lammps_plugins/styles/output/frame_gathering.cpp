@@ -16,7 +16,9 @@
 #include "fix.h"
 #include "group.h"
 #include "law/contact_rows.h"
+#include "law/disc_law.h"
 #include "modify.h"
+#include "options/volume_options.h"
 #include "update.h"
 
 namespace mikromakro::styles {
@@ -135,6 +137,16 @@ RawFrame gather_frame(LAMMPS& engine, int group_bit, const std::string& style) {
   take_discs(gather(own_discs(*engine.atom, group_bit), engine), frame);
   take_contacts(gather(contacts, engine), frame);
   return frame;
+}
+
+void warn_of_height(LAMMPS& engine, const LAMMPS_NS::Fix& fix, double height) {
+  const DiscLaw& law = *active_disc_law(engine);
+  double largest = 0;
+  for (int type = 1; type <= engine.atom->ntypes; ++type)
+    largest = std::max(largest, law.largest_radius(type));
+  if (height == 0 || largest == 0 || is_plausible_height(height, largest)) return;
+  warn(engine, std::string("fix ") + fix.id + " (" + fix.style + "): height " + text_of(height) + " m is " +
+                   text_of(height / largest) + " times the radius of the largest discs (it is in m)");
 }
 
 void warn_of_discs_outside(LAMMPS& engine, const LAMMPS_NS::Fix& fix) {

@@ -14,6 +14,8 @@ namespace {
 // Columns of stock dumps without use in the plane, accepted so that a list can follow the stock names.
 constexpr std::string_view ignored_particle_names[] = {"z", "vz", "omegax", "omegay", "fx", "fy", "fz"};
 
+constexpr std::string_view presets[] = {"liggghts", "lammps"}, wall_presets[] = {"liggghts"};
+
 int slot_of(std::string_view name, const ColumnNames& names) {
   const auto found = std::find(names.known.begin(), names.known.end(), name);
   return found == names.known.end() ? -1 : static_cast<int>(found - names.known.begin());
@@ -28,6 +30,12 @@ void append(ColumnMap& map, int slot) {
   map.slot_of_column.push_back(slot);
 }
 
+std::string got_names(const std::vector<std::string>& list, const ColumnNames& names) {
+  if (list.size() != 1) return fmt::format("{} names", list.size());
+  const bool near = !nearest_name(list.front(), names.presets).empty();
+  return near ? in_quotes_with_guess(list.front(), names.presets) : "1 name";
+}
+
 }  // namespace
 
 const ColumnNames& particle_names() {
@@ -36,12 +44,12 @@ const ColumnNames& particle_names() {
 }
 
 const ColumnNames& contact_names() {
-  static constexpr ColumnNames names{contact_read_names, {}, "--contact-columns"};
+  static constexpr ColumnNames names{contact_read_names, {}, "--contact-columns", presets};
   return names;
 }
 
 const ColumnNames& wall_contact_names() {
-  static constexpr ColumnNames names{contact_read_names, {}, "--wall-contact-columns"};
+  static constexpr ColumnNames names{contact_read_names, {}, "--wall-contact-columns", wall_presets};
   return names;
 }
 
@@ -59,12 +67,20 @@ ColumnMap map_header(const std::vector<std::string>& header, const ColumnNames& 
   return map;
 }
 
+void note_other_names(const std::vector<std::string>& list, const std::vector<std::string>& header,
+                      const ColumnNames& names, Notes* notes) {
+  if (notes == nullptr) return;
+  for (std::size_t i = 0; i < std::min(list.size(), header.size()); ++i)
+    if (list[i] != header[i] && list[i] != "-" && (slot_of(header[i], names) >= 0 || header[i] == "diameter"))
+      notes->add(fmt::format("{}: column {} is {}, which the file calls {}", names.option, i + 1,
+                             in_quotes(list[i]), in_quotes(header[i])));
+}
+
 ColumnMap map_option(const std::vector<std::string>& list, std::size_t columns, const ColumnNames& names,
                      const Place& place) {
   if (columns > 0 && list.size() != columns) {
     throw bad_input(place, fmt::format("{} does not fit the file", names.option),
-                    fmt::format("{} names", columns),
-                    list.size() == 1 ? "1 name" : fmt::format("{} names", list.size()));
+                    fmt::format("{} names", columns), got_names(list, names));
   }
   ColumnMap map;
   for (const std::string& name : list) {

@@ -10,6 +10,7 @@
 
 #include "model/columns.h"
 #include "model/error.h"
+#include "model/notes.h"
 
 namespace mikromakro {
 
@@ -28,9 +29,10 @@ struct ColumnMap {
 
 /// Column names of a kind of dump.
 struct ColumnNames {
-  std::span<const std::string_view> known;    ///< by slot
-  std::span<const std::string_view> ignored;  ///< accepted in a user's list, but unused
-  std::string_view option;                    ///< the option that names the columns if the file does not
+  std::span<const std::string_view> known;         ///< by slot
+  std::span<const std::string_view> ignored;       ///< accepted in a user's list, but unused
+  std::string_view option;                         ///< the option that names the columns if the file does not
+  std::span<const std::string_view> presets = {};  ///< names of whole lists
 };
 const ColumnNames& particle_names();
 const ColumnNames& contact_names();
@@ -39,6 +41,10 @@ const ColumnNames& wall_contact_names();
 /// Map from the names in the file's header; unknown names are skipped, repeated ones (LIGGGHTS writes
 /// whatever it is asked for) become repeats. Throws if there are no names.
 ColumnMap map_header(const std::vector<std::string>& header, const ColumnNames& names, const Place& place);
+
+/// Notes columns that the user's list and the file call by two known names that differ.
+void note_other_names(const std::vector<std::string>& list, const std::vector<std::string>& header,
+                      const ColumnNames& names, Notes* notes);
 
 /// Map from the user's list, with '-' for columns to skip. Throws if the length of the list differs from that
 /// of the header (unless the header names no columns: rows are then counted), and on unknown or repeated

@@ -67,6 +67,10 @@ inline const std::string walls = "/walls/";
 
 /// For runs only. Constants: strings as attributes, numbers as datasets.
 inline const std::string parameters = "/parameters";
+/// Attributes of it that averages rely on: the effects of the law and of walls in words; the walls, if any,
+/// whose contacts are not in the rows.
+inline const std::string law = "law";
+inline const std::string unrecorded_walls = "unrecorded_walls";
 
 /// A run killed while writing a frame may leave rows behind: a frame exists only if it has a step, and rows
 /// not yet written have the step no_id.

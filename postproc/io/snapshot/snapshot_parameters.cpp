@@ -86,18 +86,30 @@ std::vector<double> table_in(const Hdf5File& file, const std::string& name, cons
   return numbers;
 }
 
+const std::string units = "units";
+
+// By averages.
+bool is_relied_on(const std::string& attribute) {
+  return attribute == units || attribute == snapshot::law || attribute == snapshot::unrecorded_walls;
+}
+
+// Empty if there is no such attribute.
+std::string word_in(const Hdf5File& file, const std::string& attribute, const std::string& place) {
+  if (!file.has_attribute(snapshot::parameters, attribute)) return "";
+  const auto words = file.text_attribute(snapshot::parameters, attribute);
+  if (words.size() != 1)
+    throw wrong_constant(place, attribute, "one string", fmt::format("{} strings", words.size()));
+  return words.front();
+}
+
 }  // namespace
 
 RunConstants read_constants(const Hdf5File& file, const std::string& name) {
   RunConstants constants;
   if (!file.has(snapshot::parameters)) return constants;
-  if (file.has_attribute(snapshot::parameters, "units")) {
-    const auto units = file.text_attribute(snapshot::parameters, "units");
-    if (units.size() != 1)
-      throw wrong_constant(name, "units", "the name of a system of units",
-                           fmt::format("{} words", units.size()));
-    constants.units = units.front();
-  }
+  constants.units = word_in(file, units, name);
+  constants.law = word_in(file, snapshot::law, name);
+  constants.unrecorded_walls = word_in(file, snapshot::unrecorded_walls, name);
   constants.height = height_in(file, name);
   constants.friction = table_in(file, "coefficientFriction", name);
   constants.normal_stiffness = table_in(file, "kn", name);
@@ -113,7 +125,7 @@ void write_parameters(Hdf5File& file, const SnapshotParameters& parameters) {
   file.add_group(snapshot::parameters);
   if (!parameters.engine.empty()) file.attribute("/h5md/creator", "engine", parameters.engine);
   for (const auto& [name, words] : parameters.words) {
-    if (name == "units" && words.size() == 1)  // averages rely on it
+    if (words.size() == 1 && is_relied_on(name))
       file.guarded_attribute(snapshot::parameters, name, words.front());
     else if (words.size() == 1)
       file.attribute(snapshot::parameters, name, words.front());
@@ -129,6 +141,7 @@ void write_parameters(Hdf5File& file, const SnapshotParameters& parameters) {
 void check_parameters(const Hdf5File& file, const std::string& name, const SnapshotParameters& parameters) {
   for (const auto& [word, words] : parameters.words) {
     const bool given = file.has(snapshot::parameters) && file.has_attribute(snapshot::parameters, word);
+    if (!given && is_relied_on(word) && word != units) continue;  // a file of an older version
     check(name, word, given ? text_of(file.text_attribute(snapshot::parameters, word)) : "none",
           text_of(words));
   }

@@ -34,6 +34,8 @@ struct RunConstants {
                                          ///< empty for non-linear laws
   bool hertz = false;                    ///< Hertz: kn (N/m^2) is not a linear stiffness
   std::vector<double> friction;          ///< mu of all pairs of types
+  std::string law;                       ///< its effects, and those of walls, in words; empty: not given
+  std::string unrecorded_walls;          ///< whose contacts are not in the rows; empty: none, or not known
 };
 RunConstants read_constants(const Hdf5File& file, const std::string& name);
 

@@ -50,6 +50,9 @@ void note_missing_forces(const Blocks& contacts, const ColumnWishes& wishes) {
                   contacts.front()->file));
 }
 
+// Fewer may leave or be inserted at once.
+constexpr std::int64_t many_discs = 20;
+
 }  // namespace
 
 TextFrames::TextFrames(const std::vector<std::string>& particle_files,
@@ -67,6 +70,7 @@ TextFrames::TextFrames(const std::vector<std::string>& particle_files,
 bool TextFrames::next(std::int64_t& step) {
   if (!frames_.next()) return false;
   step = frames_.header(0).step;
+  if (!last_size_) note_names();
   check_boundaries();
   check_system();
   find_units();
@@ -78,6 +82,14 @@ std::int64_t TextFrames::contact_rows() const {
   for (std::size_t piece = particle_pieces_; piece < frames_.size(); ++piece)
     rows += frames_.header(piece).rows;
   return rows;
+}
+
+void TextFrames::note_names() {
+  note_other_names(wishes_->particle_columns, frames_.header(0).columns, particle_names(),
+                   wishes_->notes.get());
+  if (contact_pieces_ > 0)
+    note_other_names(wishes_->contact_columns, frames_.header(particle_pieces_).columns, contact_names(),
+                     wishes_->notes.get());
 }
 
 // Notes if the boundaries change between the frames of a run, as far as the files give them.
@@ -92,11 +104,19 @@ void TextFrames::check_boundaries() {
 
 void TextFrames::check_system() {
   const DumpHeader& header = frames_.header(0);
-  if (last_size_ && last_size_->rows != header.rows && jumps(last_size_->box, header.box))
+  std::int64_t rows = 0;
+  for (std::size_t piece = 0; piece < particle_pieces_; ++piece) rows += frames_.header(piece).rows;
+  if (last_size_ && last_size_->rows != rows && jumps(last_size_->box, header.box))
     wishes_->notes->add(frames_.file(0) + ": " + another_system);
   else if (last_size_ && is_another(last_size_->box, header.box))
     wishes_->notes->add(frames_.file(0) + ": " + another_box, header.step);
-  last_size_ = {header.box, header.rows};
+  if (last_size_ && 3 * std::abs(rows - last_size_->rows) > last_size_->rows &&
+      last_size_->rows >= many_discs)
+    wishes_->notes->add(
+        frames_.file(0) +
+            ": the number of discs changes by more than a third from the frame before (rows left out?)",
+        header.step);
+  last_size_ = {header.box, rows};
 }
 
 // LAMMPS names the units only before the first frame of the first file, and possibly in one of the dumps

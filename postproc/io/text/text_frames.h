@@ -44,6 +44,7 @@ class TextFrames : public FrameFormat {
 
  private:
   struct Packed;
+  void note_names();
   void check_boundaries();
   void check_system();
   void find_units();

@@ -53,9 +53,9 @@ Frame disordered_frame() {
 }
 
 // By how much columns magnify rounding: directions and G are quotients of deviators, 1e-2 of their tensors
-// here; the exponential fit ends at 1e-10 of its parameters, and none fits random velocities well.
+// here; the exponential fit ends where the sum of squares no longer falls, at 1e-8 of its parameters.
 double conditioning(const std::string& name) {
-  if (name.ends_with("_fit")) return 1000;
+  if (name.ends_with("_fit")) return 10000;
   return name.find("angle") != name.npos || name == "G" ? 100 : 1;
 }
 

@@ -63,9 +63,17 @@ TEST(PlausibleForces, OfWallsAreJudgedAlone) {
   EXPECT_NE(notes_of_walls()[0].find("walls pull on the whole"), std::string::npos);
   EXPECT_TRUE(notes_of(pairs_and_walls).empty());
   // Nor do walls that push hide pairs that pull.
-  for (Contact& contact : pairs_and_walls) contact.force *= contact.with_wall() ? -1000 : -1;
+  for (Contact& contact : pairs_and_walls) contact.force *= contact.with_wall() ? -50 : -1;
   EXPECT_TRUE(notes_of_walls().empty());
   EXPECT_EQ(notes_of(pairs_and_walls).size(), 1U);
+  // Forces of walls in mN, and none.
+  for (Contact& contact : pairs_and_walls) contact.force *= contact.with_wall() ? 1000 : -50;
+  ASSERT_EQ(notes_of_walls().size(), 1U);
+  EXPECT_NE(notes_of_walls()[0].find("more than a hundred times those of pairs"), std::string::npos);
+  for (Contact& contact : pairs_and_walls)
+    if (contact.with_wall()) contact.force.setZero();
+  ASSERT_EQ(notes_of_walls().size(), 1U);
+  EXPECT_NE(notes_of_walls()[0].find("all forces of walls are 0"), std::string::npos);
 }
 
 // In a gas a few collisions carry nearly all of the force, and the contacts that are looked at may just be
