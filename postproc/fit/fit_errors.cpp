@@ -116,7 +116,8 @@ FitErrors errors_of_series(const Eigen::ArrayXXd& series, const ExponentialProfi
   return errors;
 }
 
-// Where runs differ by more than their frames tell, only their spread counts, if there are enough.
+// If runs differ by more than their frames explain, errors come from their spread alone, if there are enough
+// runs.
 std::optional<FitErrors> errors_of_differing(const Eigen::ArrayXXd& series, const ExponentialProfile& fitted,
                                              const std::vector<std::int64_t>& of_block,
                                              const RunMeans& runs) {

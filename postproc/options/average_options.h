@@ -30,9 +30,9 @@ void add_average_options(CLI::App& app, AverageOptions& options);
 /// The averager for these options. Throws on contradictory or meaningless options.
 std::unique_ptr<const Averager> make_averager(const AverageOptions& options);
 
-/// Empty sums, with the number of error blocks that the options ask for.
+/// Empty sums, with the number of error blocks requested by the options.
 TimeAverage no_sums(const AverageOptions& options, const Averager& averager);
-/// That number of blocks.
+/// That number.
 std::size_t error_blocks(const AverageOptions& options, const Averager& averager);
 
 /// Time steps of the first and the last frame.
@@ -53,7 +53,8 @@ struct Averaged {
 void describe_frames(const Averaged& averaged, Preamble& lines);
 
 /// Computes the table, with errors unless the options disable them, and writes it below `lines`, after
-/// appending a description of all options. At least one frame is required. Returns the basis of the errors.
+/// appending a description of all options. At least one frame is required. Returns how the errors were
+/// obtained.
 BlockErrors write_averages(const AverageOptions& options, const Averager& averager, const Averaged& averaged,
                            Preamble lines, TableOutputs& outputs);
 

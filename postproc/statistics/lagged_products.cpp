@@ -10,7 +10,7 @@ namespace {
 
 using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
 
-// Calls work(first, count) for bundles of series that fit the cache.
+// Calls work(first, count) for bundles of series that fit into the cache.
 template <typename Do>
 void in_bundles(Eigen::Index count, Do work) {
   constexpr Eigen::Index bundle = 256;
