@@ -14,8 +14,8 @@
 
 namespace mikromakro {
 
-/// Which of the types named in an option have occurred. look() is thread-safe and free of cost once all types
-/// are found.
+/// Which of the types given in an option have occurred. look() is thread-safe, and costs nothing once all
+/// types have been found.
 class TypesSeen {
  public:
   explicit TypesSeen(std::vector<int> wanted);
@@ -37,9 +37,9 @@ void check_types(const FrameSource& source, std::string_view option, const Types
 /// reports where the discs are. Re-reads the frames up to the first that is not empty.
 void check_coverage(const FrameSource& source, const VolumeOptions& volumes);
 
-/// For averages of which some frames have sums that are all zero: notes each of the `suspects` (runs, from 0)
+/// For averages in which the sums of some frames are all zero: notes each of the `suspects` (runs, from 0)
 /// without a disc in any of the volumes, or without a disc of the averaged types, and frames without discs in
-/// other runs. All of these count in averages as empty volumes. Re-reads the frames.
+/// other runs. All of these count as empty volumes in averages. Re-reads the frames.
 void note_empty_frames(const FrameSource& source, const VolumeOptions& volumes,
                        const std::set<std::int64_t>& suspects);
 

@@ -57,7 +57,7 @@ void check_rings(const CsvTable& table) {
   tell(notes);
 }
 
-// Without edges, a row that is there twice is one with the radius of another.
+// Without edges, a duplicate row is recognised by a radius that occurs twice.
 void check_radii_differ(const CsvTable& table) {
   const Eigen::ArrayXd r = table.column("r");
   std::set<double> radii;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Plausibility of options, given what the frames show: values in other units or from other runs. Checks that
-// need statistics apply from 20 discs or contacts on.
+// Plausibility of options in view of the frames: values in other units or from other runs. Checks that need
+// statistics require at least 20 discs or contacts.
 #pragma once
 
 #include "app/input_options.h"
@@ -10,10 +10,10 @@
 
 namespace mikromakro {
 
-/// Throws on --branch and --height where none of the fields has to do with them.
+/// Throws on --branch and --height if none of the fields depends on them.
 void check_use(const VolumeOptions& given, const Averager& averager);
 
-/// Notes a height above 100 radii (given in mm, say) or below 1e-4 radii, a kernel wider than the box, and
+/// Notes a height above 100 radii (e.g. given in mm) or below 1e-4 radii, a kernel wider than the box, and
 /// volumes that extend more than five times as far as the discs.
 void note_volumes(const Frame& frame, const VolumeOptions& volumes, Notes& notes);
 

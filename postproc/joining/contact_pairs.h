@@ -10,8 +10,8 @@
 namespace mikromakro {
 
 /// Throws on a pair that is listed twice, except through different periodic images or on several faces of a
-/// mesh, and on a contact with a wall that is in both files under different ids of the wall. Contact k comes
-/// from row row_of[k].
+/// mesh, and on a wall contact that is present in both files under different wall ids. Contact k comes from
+/// row row_of[k].
 void check_pairs(const std::vector<Contact>& contacts, const std::vector<std::size_t>& row_of,
                  const ContactRows& rows, const std::vector<Particle>& discs, const Box& box);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Plausibility of the forces of a whole frame, which no single row can show.
+// Plausibility of the forces of a whole frame, which cannot be judged from single rows.
 #pragma once
 
 #include <vector>
@@ -10,15 +10,15 @@
 
 namespace mikromakro {
 
-/// Notes if all forces are 0 although discs overlap, and if forces do not push: with f_n = -f.n of each
-/// pair of discs, sum f_n < sum |f|/4; for few contacts, where a dashpot may pull, sum f_n < -sum |f|/4.
-/// Discs that merely touch push, and friction turns their forces by less than 45 degrees, whereas swapped ids
-/// or columns turn all of them. Samples some contacts of each frame, and checks all of them if the sample
-/// does not push. Does nothing if forces are not given (nan).
+/// Notes if all forces are 0 although discs overlap, and if forces are not repulsive overall: with f_n = -f.n
+/// of each pair of discs, sum f_n < sum |f|/4; for few contacts, where a dashpot may pull, sum f_n < -sum
+/// |f|/4. Without cohesion, contact forces are repulsive, and friction rotates them by less than 45 degrees,
+/// whereas swapped ids or columns rotate or reverse all of them. Samples some contacts of each frame, and
+/// checks all of them if the sample is not repulsive. Does nothing if forces are not given (nan).
 void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules);
 
-/// The second check for the contacts with walls alone, all of them. Walls are few and their rows are often of
-/// another file, so that a wrong sign would hide among the pairs.
+/// The second check for the wall contacts alone, all of them. They are few and often come from another file,
+/// so a wrong sign would be hidden among the pairs.
 void note_wall_forces(const std::vector<Contact>& contacts, const ContactRules& rules);
 
 /// Notes if overlaps are derived from coordinates (no column gives them) and are on average less than a third
