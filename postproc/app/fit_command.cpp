@@ -126,7 +126,7 @@ FitWay way_of(const FitOptions& options) {
   return way;
 }
 
-// R_i and Omega R_i.
+// Sets R_i and Omega R_i.
 void take_wheel(const FitOptions& options, const CsvTable& table, FitReport& report) {
   report.unit = table.unit(options.column);
   report.omega = options.omega;

@@ -26,7 +26,7 @@ std::vector<Eigen::Index> lengths_of(const std::vector<std::int64_t>& runs) {
   return lengths;
 }
 
-// About the mean of each of these stretches.
+// Standardised about the mean of each of these stretches.
 Rows standardised(Rows series, const std::vector<Eigen::Index>& stretches) {
   in_bundles(series.cols(), [&](Eigen::Index first, Eigen::Index count) {
     auto some = series.middleCols(first, count);
