@@ -27,15 +27,15 @@ void check_in_one_list(const AuditOptions& options) {
                       "types that are not in --bulk-types", fmt::format("{} in both", type));
 }
 
-// Without --bulk-types all discs are averaged: the wheel would be a part of the packing in the stresses, but
-// not in its own torque.
+// Without --bulk-types all discs are averaged: the wheel would then contribute to the stresses, but not to
+// its own torque.
 void check_wheel_is_no_bulk(const AuditOptions& options) {
   if (!options.wheel_types.empty() && options.volumes.bulk_types.empty())
     throw bad_input({"--wheel-types"}, "the discs of the wheel would be averaged, too",
                     "--bulk-types beside it, without those of the wheel", "none");
 }
 
-// Completes the options from the files, and checks that what they ask for exists.
+// Completes the options from the files, and checks that what they refer to exists.
 void complete(AuditOptions& options) {
   check_in_one_list(options);
   const FrameSource source = frame_source(options.input);

@@ -10,7 +10,7 @@ namespace mikromakro {
 /// Torque, radial momentum, forces on discs, volume over rings.
 Balances audit_rings(const AuditOptions& options);
 
-/// Stress of volume and walls, forces on discs and walls, volume, momentum of cells: over --box, --grid or,
+/// Stress of volume and walls, forces on discs and walls, volume, momentum of cells: for --box, --grid or,
 /// with neither, the rectangle between the walls of each frame.
 Balances audit_box(const AuditOptions& options);
 

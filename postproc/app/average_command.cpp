@@ -23,7 +23,7 @@ struct CommandOptions {
   InputOptions input;
   AverageOptions average;
   RunOptions run;
-  std::string blocks;  // output file for the table without each block of frames
+  std::string blocks;  // output file for the table with each block of frames left out
   bool json = false;
 };
 
@@ -88,7 +88,7 @@ Task task_of(const CommandOptions& options, const Ranks& ranks) {
   note_other_runs(files);
   task.averager = make_averager(task.options);
   check_use(options.average.volumes, *task.averager);
-  // The block table holds the numbers again, as values and as text.
+  // The block table holds the numbers again, both as values and as text.
   const double copies = options.blocks.empty() ? 1 : 5;
   check_memory({static_cast<double>(task.averager->volume_count() * task.averager->sum_count()),
                 threads_of(options.run, ranks),

@@ -37,8 +37,8 @@ constexpr const char* goes_on =
 // Detects pieces of one run that were given as several runs, in any order.
 class Continuations {
  public:
-  /// Whether the frame is the first of its run and continues the frame interval of an earlier run, or an
-  /// earlier run continues that of the run that ended before it.
+  /// Whether the frame is the first of its run and continues an earlier run at that run's frame interval, or
+  /// an earlier run continues the run that has just ended.
   bool add(const FrameSums& frame) {
     const bool starts = runs_.empty() || frame.run != runs_.back().run;
     if (!starts) {

@@ -61,9 +61,9 @@ const std::vector<double>& numbers_of(const VolumeOptions& volumes) {
   return volumes.grid.empty() ? volumes.box : volumes.grid;
 }
 
-// What the frames of a run hold.
+// What the frames of a run contain.
 struct RunContents {
-  Extent discs;  // that are averaged
+  Extent discs;  // those that are averaged
   std::set<int> types;
   bool covered = false;
   std::vector<std::int64_t> empty_steps;    // of frames without averaged discs

@@ -28,7 +28,7 @@ struct DrawOptions {
   std::vector<double> box, range;
   PictureStyle style;
   double height = 0;        // 0: not given
-  QuantityInfo quantity{};  // that of the style, with the unit used here
+  QuantityInfo quantity{};  // quantity of the style, with the unit used here
   bool quiet = false;
 };
 

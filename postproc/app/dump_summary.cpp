@@ -22,7 +22,7 @@ void add_particles(const ParticleRows& rows, DumpSummary& summary) {
   }
 }
 
-// False for a dump that lacks the columns averages need; it is still summarised.
+// False for a dump without the columns that averages need; it is still summarised.
 bool has_discs(const DumpHeader& header, const std::vector<std::string>& list, const std::string& file) {
   if (!header.of_particles() || (header.columns.empty() && list.empty())) return false;
   const ParticleColumns columns(header, list, {file, header.line});

@@ -57,7 +57,7 @@ void check_rings(const CsvTable& table) {
   tell(notes);
 }
 
-// Without edges, a row that is there twice is one with the radius of another.
+// Without edges, a duplicate row is recognised by a radius that occurs twice.
 void check_radii_differ(const CsvTable& table) {
   const Eigen::ArrayXd r = table.column("r");
   std::set<double> radii;
@@ -148,7 +148,7 @@ FitWay way_of(const FitOptions& options) {
   return way;
 }
 
-// R_i and Omega R_i.
+// Sets R_i and Omega R_i.
 void take_wheel(const FitOptions& options, const CsvTable& table, FitReport& report) {
   report.unit = table.unit(options.column);
   report.omega = options.omega;

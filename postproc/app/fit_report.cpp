@@ -19,8 +19,8 @@ struct Estimate {
   std::string least_by = {}, greatest_by = {};
   double least = 0, greatest = 0;
 
-  // Whether the interval of the rate of decay 1/s, which is value^-2 times as wide, includes 0: that of s
-  // then has no upper end.
+  // Whether the interval of the decay rate 1/s, which is value^-2 times as wide, includes 0: the interval of
+  // s is then unbounded above.
   bool no_decay() const { return key == "s" && half_width >= value; }
   double low() const { return no_decay() ? value / (1 + half_width / value) : value - half_width; }
   double high() const { return no_decay() ? std::nan("") : value + half_width; }

@@ -16,7 +16,7 @@ struct FitReport {
   double omega = 0;
   double scale = 0;  ///< Omega R_i, nan when --omega is not given
   FitWay way;
-  double first_r = 0, last_r = 0;  ///< of the rings used
+  double first_r = 0, last_r = 0;  ///< range of the rings used
   ExponentialProfile fitted;
   FitErrors errors;
   double residuals_over_errors = 0;  ///< rms; nan if rings have no errors

@@ -55,7 +55,7 @@ std::optional<Box> bounds_of(const VolumeOptions& volumes) {
   return Box{centre - corner, centre + corner};
 }
 
-// Values in mm, say, or of another system: averages over nearly empty volumes look normal.
+// Lengths in mm, for example, or of another system: averages over nearly empty volumes look normal.
 void note_extent(const Frame& frame, const VolumeOptions& volumes, Notes& notes) {
   constexpr double most = 5;  // times the extent of the discs
   const std::optional<Box> bounds = bounds_of(volumes);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Plausibility of options, given what the frames show: values in other units or from other runs. Checks that
-// need statistics apply from 20 discs or contacts on.
+// Plausibility of options in view of the frames: values in other units or from other runs. Checks that need
+// statistics require at least 20 discs or contacts.
 #pragma once
 
 #include "app/input_options.h"

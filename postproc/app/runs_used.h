@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which of several runs an average is of.
+// Which of several runs contribute to an average.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace mikromakro {
 /// 'run 2 (b.dump)', for messages; `run` counts from 0.
 std::string run_name(const FrameSource& source, std::size_t run);
 
-/// The selected frames of each run, and those whose sums are all 0.
+/// The selected frames of each run, and those whose sums are all zero.
 class RunsUsed {
  public:
   explicit RunsUsed(std::size_t runs) : frames_(runs), zero_(runs) {}
@@ -36,11 +36,11 @@ class RunsUsed {
   std::vector<std::int64_t> frames_, zero_;
 };
 
-/// Notes each run without a selected frame, which the user has named for nothing.
+/// Notes each run without a selected frame, which the user has given to no effect.
 void note_unused_runs(const FrameSource& source, const RunsUsed& used);
 
-/// Notes runs whose first frame has other discs or another box than that of the first run, by a factor of 1.5
-/// (lengths in mm, say): an average of both is of neither.
+/// Notes runs whose first frame differs from that of the first run in the size of the discs or of the box by
+/// more than a factor of 1.5 (lengths in mm, for example): an average over both describes neither.
 void note_unlike_runs(const FrameSource& source);
 
 }  // namespace mikromakro

@@ -68,7 +68,7 @@ physics::Impact impact_of(const TimestepOptions& o) {
 }
 
 struct Finding {
-  double restitution, steps;  // restitution of the impact; time steps in its duration for the wanted error
+  double restitution, steps;  // restitution of the impact; time steps in its duration for the requested error
 };
 
 template <physics::Tangential tangential, physics::Normal normal>

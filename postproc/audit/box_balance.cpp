@@ -42,7 +42,7 @@ Eigen::Vector2d contact_point(const Frame& frame, const Contact& contact, bool f
   return self.position + arm * (first ? 1 : -1) * contact.normal;
 }
 
-// Tolerance for a given length against that of the box, which LIGGGHTS writes with six digits.
+// Tolerance for a given length compared with that of the box, which LIGGGHTS writes with six digits.
 constexpr double digits_of_dumps = 1e-5;
 
 // Counts contacts between averaged discs whose two contact points differ by a periodic shift.

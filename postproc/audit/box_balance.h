@@ -50,7 +50,7 @@ BoxLoad box_load(const Frame& frame, const Rectangle& box, const std::vector<int
 /// rectangle, lower edges included.
 double disc_area_inside(const Frame& frame, const Rectangle& box, const std::vector<int>& bulk_types);
 
-/// Stress exerted by one wall, force per wall area: the column of sigma for the wall's normal.
+/// Stress exerted by one wall, force per wall area: the column of sigma for the wall normal.
 struct WallStress {
   Eigen::Vector2d force;   ///< of the wall on the discs, N
   double area = 0;         ///< m^2
@@ -74,16 +74,16 @@ class BoxBalance {
   Rectangle box() const;
   /// 1/V sum f (x) l, Pa.
   Eigen::Matrix2d volume_stress() const { return inside_ / volume_; }
-  /// 1/V sum f (x) (x_c - m) over the boundary, Pa: equal to volume_stress() in equilibrium, whatever the
-  /// walls are like. nan in columns that have no boundary.
+  /// 1/V sum f (x) (x_c - m) over the boundary, Pa: equal to volume_stress() in equilibrium, for any kind of
+  /// walls. nan in columns that have no boundary.
   Eigen::Matrix2d boundary_stress() const;
-  /// Whether the column of sigma for this normal has no boundary: forces cross a periodic one, or the axis is
-  /// periodic and there is no other boundary.
+  /// Whether the column of sigma for this normal has no boundary: forces cross a periodic boundary, or the
+  /// axis is periodic and there is no other boundary.
   bool is_open(int axis) const;
   /// Whether there are contacts with any boundary, and with one of the four walls.
   bool has_boundary() const { return boundary_contacts_ > 0; }
   bool has_walls() const { return wall_contacts_[0] + wall_contacts_[1] > 0; }
-  /// Whether this one of the four walls can exist.
+  /// Whether this wall (of the four) can exist.
   bool may_have_wall(int number) const;
   WallStress wall(int number) const;
 

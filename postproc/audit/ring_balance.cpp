@@ -29,7 +29,7 @@ std::vector<RingBalance> ring_balances(const Table& table, double height, double
   const Eigen::ArrayXd phiphi = column_of(table, "sigma_phiphi");
   const Eigen::ArrayXd torque = 2 * std::numbers::pi * r.square() * height * column_of(table, "sigma_phir");
   const Eigen::ArrayXd slope = slopes(r, r * rr);
-  // A margin of whole rings leaves out as many on either side, however their edges are rounded.
+  // A margin of whole rings excludes the same number on either side, however their edges are rounded.
   const double from = inner[0] + margin * (1 - 1e-9), to = outer[r.size() - 1] - margin * (1 - 1e-9);
   std::vector<RingBalance> rings;
   for (Eigen::Index i = 0; i < r.size(); ++i) {

@@ -27,7 +27,7 @@ Branch branch_of(Branch given, const Weight& weight) {
   return weight.is_kernel() ? Branch::contact : Branch::radius;
 }
 
-// Indices of the fields whose columns a field uses, all before it.
+// Indices of the fields whose columns a field uses, all of which precede it.
 std::vector<std::size_t> find_sources(const FieldList& fields, std::size_t of) {
   std::vector<std::size_t> sources;
   for (const std::string_view name : fields[of].field->sources()) {
@@ -102,7 +102,7 @@ Rows Averager::frame_sums(const Frame& frame) const {
   return sums;
 }
 
-// Distance from its centre within which a disc or its branches may count.
+// Distance from its centre within which a disc or its branches may contribute.
 double Averager::reach_of(const Frame& frame, int particle, std::span<const ContactEnd> ends) const {
   const double radius = frame.particles[static_cast<std::size_t>(particle)].radius;
   const double reach = shares_->reach(radius);
@@ -119,7 +119,7 @@ void Averager::add_image(const Frame& frame, int particle, const Eigen::Vector2d
                          std::span<const ContactEnd> ends, Scratch& scratch, Rows& sums) const {
   scratch.shares.clear();
   shares_->of_disc(centre, frame.particles[static_cast<std::size_t>(particle)].radius, scratch.shares);
-  // A branch may extend into volumes in which its disc has no share.
+  // A branch may extend into volumes that its disc does not overlap.
   if (scratch.shares.list().empty() && !on_branches_ && !at_walls_) return;
   collect(frame, particle, centre, ends, scratch);
   for (const Share& share : scratch.shares.list()) sums.row(share.volume) += share.weight * scratch.quantity;
@@ -147,7 +147,7 @@ DiscContact Averager::contact_of(const Frame& frame, const ContactEnd& end, cons
 }
 
 // V^p Q^p of one image of a disc for all fields, in the basis at its centre; without contacts that have their
-// own shares.
+// own weights.
 void Averager::collect(const Frame& frame, int particle, const Eigen::Vector2d& centre,
                        std::span<const ContactEnd> ends, Scratch& scratch) const {
   const Particle& from = frame.particles[static_cast<std::size_t>(particle)];
@@ -172,7 +172,7 @@ void Averager::collect(const Frame& frame, int particle, const Eigen::Vector2d& 
   }
 }
 
-// Contacts of one disc, for the fields that place them elsewhere than the disc.
+// Contacts of one disc, for the fields that attribute them to places other than the disc.
 void Averager::add_placed(const Eigen::Vector2d& centre, Scratch& scratch, Rows& sums) const {
   for (const DiscContact& contact : scratch.contacts) {
     const Eigen::Vector2d branch = scratch.basis.transpose() * contact.branch;

@@ -31,7 +31,7 @@ class Averager {
   Averager(std::unique_ptr<const Volumes> volumes, std::unique_ptr<const Weight> weight, FieldList fields,
            const AveragingOptions& options);
 
-  /// sum_p w^p V^p Q^p of one frame: volumes x numbers, the numbers of all fields side by side. A function of
+  /// sum_p w^p V^p Q^p of one frame: volumes x numbers, the numbers of all fields side by side. It depends on
   /// the frame alone, so frames can be summed independently; discs are summed in the order of the frame. Each
   /// periodic image of a disc counts, with the contacts of the disc and the basis at its own position. Throws
   /// (bad input) if there are too many images.
@@ -59,7 +59,7 @@ class Averager {
   ColumnSet particles_needed() const;
   ColumnSet contacts_needed() const;
   bool needs_contacts() const;
-  /// Whether any field has to do with branch vectors, or any column with the height.
+  /// Whether any field depends on branch vectors, or any column on the height.
   bool uses_branches() const;
   bool uses_height() const;
 

@@ -12,9 +12,9 @@ using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 struct PseudoValues {
-  std::vector<Rows> deviations;  // of each block, from the whole
+  std::vector<Rows> deviations;  // deviation of each block from the whole
   Rows variance;
-  // Whether it varies beyond rounding, and in enough blocks.
+  // Whether the series varies beyond rounding, and in enough blocks.
   Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> fluctuate;
 };
 
@@ -32,7 +32,7 @@ void take_around(const std::vector<ColumnsOfField>& fields, Rows& deviations) {
   }
 }
 
-// A block without a disc leaves a quotient unchanged: its deviation is 0. If most blocks are like that, the
+// A block without a disc leaves a quotient unchanged: its deviation is 0. If this holds for most blocks, the
 // others must come from several visits, since a single visit does not show how the next would differ.
 bool is_told(const std::vector<Rows>& deviations, Eigen::Index place, double least) {
   constexpr double most = 0.5;
@@ -48,7 +48,7 @@ bool is_told(const std::vector<Rows>& deviations, Eigen::Index place, double lea
   return occupied > most * static_cast<double>(deviations.size()) || visits >= fewest_visits;
 }
 
-// `smallest`: the least deviation of each.
+// `smallest`: the smallest deviation of each series.
 void leave_seldom_ones(const Rows& smallest, PseudoValues& values) {
   constexpr double nothing = 1e-9;
   for (Eigen::Index place = 0; place < smallest.size(); ++place) {
@@ -71,7 +71,7 @@ PseudoValues pseudo_values(const std::vector<Rows>& blocks, const Solver& solve,
   for (const Rows& block : blocks) {
     values.deviations.emplace_back(whole - solve((total - block) / (count - 1)));
     take_around(fields, values.deviations.back());
-    // In one sweep, since grids have a million of them.
+    // In a single pass, since grids have a million of them.
     double* const deviation = values.deviations.back().data();
     for (Eigen::Index i = 0; i < whole.size(); ++i) {
       const double one = deviation[i] *= count - 1;

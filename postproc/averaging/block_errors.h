@@ -21,7 +21,7 @@ struct FieldErrors {
   CorrelationTime correlation{};
   ErrorDecision decision{};
   SlowChange slow{};
-  BetweenRuns between{};  ///< of several runs
+  BetweenRuns between{};  ///< comparison of several runs
 };
 
 /// One number per volume and column.
@@ -29,7 +29,7 @@ struct BlockErrors {
   Rows error;             ///< standard error; nan if it cannot be determined
   Rows correlation_time;  ///< 2 tau, in frames; nan if there is no error
   std::int64_t frames = 0;
-  bool enough_blocks = false;  ///< eight
+  bool enough_blocks = false;  ///< at least eight
   std::vector<FieldErrors> fields;
 
   /// frames/(2 tau) of the slowest column of each volume, among those with errors; nan if there is none.
@@ -47,10 +47,10 @@ struct BlockErrors {
 /// of the decision.
 ///
 /// 2 tau is computed from the pseudo-values of all columns of a field in all volumes together
-/// (correlation_time.h), and one decision is made for the whole field (error_decision.h). Where runs differ
-/// by more than their frames tell (between_runs.h), the errors are from the spread of the runs, and 2 tau is
-/// that within runs, that of single columns the number of blocks over that of runs. Quantities that do not
-/// fluctuate, or that are undefined without some block, have no error (nan) either.
+/// (correlation_time.h), and one decision is made for the whole field (error_decision.h). If runs differ by
+/// more than their frames explain (between_runs.h), errors come from the spread of the runs; 2 tau is then
+/// that within runs, and for single columns the number of blocks divided by that of runs. Quantities that do
+/// not fluctuate, or that are undefined without some block, have no error (nan) either.
 BlockErrors block_errors(const TimeAverage& average, const Solver& solve,
                          const std::vector<ColumnsOfField>& fields);
 

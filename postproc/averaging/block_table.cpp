@@ -79,9 +79,9 @@ void check_runs(const CsvTable& blocks, const ColumnWithoutBlocks& read, Eigen::
                       fmt::format("{}", read.runs[i]));
 }
 
-// The mean of the delete-one values is that of all frames, but for ratios, by a part of their scatter s, and
-// for the frames at the end of a run that are in no block; these scatter as blocks do, by (m - 1) s. Ratios
-// may stray in a ring that is nearly empty, numbers that were scaled or turned round do in all.
+// The mean of the delete-one values equals that of all frames, except for ratios, by a fraction of their
+// scatter s, and for the frames at the end of a run that are in no block; these scatter like blocks, by (m -
+// 1) s. Ratios may deviate in a nearly empty ring; numbers that were scaled or inverted deviate in all rings.
 void check_mean(const CsvTable& blocks, const std::string& column, const ColumnWithoutBlocks& read,
                 const CsvTable& table, double all) {
   const Eigen::ArrayXd right = table.column(column);

@@ -20,9 +20,10 @@ struct ColumnWithoutBlocks {
   double frames = 0;  ///< in each block
 };
 
-/// Extracts a column from such a table read from a file. Throws if it is not one, or if its block 0 differs
-/// from `table`: its blocks then belong to other frames, volumes or options; if the rings of any block do, if
-/// runs are mixed, or if the mean of the blocks is not that of all frames in most of the volumes.
+/// Extracts a column from such a table read from a file. Throws if it is not such a table; if its block 0
+/// differs from `table`, because its blocks belong to other frames, volumes or options; if the rings of any
+/// block differ; if runs are mixed; or if the mean of the blocks is not that of all frames in most of the
+/// volumes.
 ColumnWithoutBlocks column_without_blocks(const CsvTable& blocks, const std::string& column,
                                           const CsvTable& table);
 

@@ -8,7 +8,7 @@
 
 namespace mikromakro {
 
-/// Of a column from a reference, in the column's unit, over the rows where both are finite.
+/// Difference of a column from a reference, in the unit of the column, over the rows where both are finite.
 struct Difference {
   double mean;           ///< of the absolute differences
   double largest;        ///< of the absolute differences

@@ -12,7 +12,7 @@ namespace mikromakro {
 namespace {
 
 constexpr double most_images = 10000;
-// Of the ratio of two lengths meant to be equal, such as 0.3 - 0.1 and 0.2.
+// Tolerance for the ratio of two lengths meant to be equal, such as 0.3 - 0.1 and 0.2.
 constexpr double rounding = 1e-12;
 
 // The image with low <= x < low + period; an x already in that range is returned unchanged.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Detects frames that occur in several runs, whatever files they were read from.
+// Detects frames that occur in several runs, regardless of the files they come from.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,9 @@ namespace mikromakro {
 class RepeatedFrames {
  public:
   /// Whether an earlier run contains this frame: the same step, and at least four non-zero sums, all equal to
-  /// 1e-4. Of fewer sums, as those of velocity alone, two must have changed since the frame before, and all
-  /// be equal to 1e-12; numbers of discs do not count, which agree by chance. Never true for runs in which
-  /// nothing moves.
+  /// 1e-4. If there are fewer sums, as for velocity alone, two of them must have changed since the previous
+  /// frame, and all must be equal to 1e-12; numbers of discs do not count, since they agree by chance. Never
+  /// true for runs in which nothing moves.
   bool add(const FrameSums& frame);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The volumes in which a position counts, with their shares.
+// The volumes in which a position counts, with its share in each.
 #pragma once
 
 #include <cstddef>

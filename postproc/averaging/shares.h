@@ -17,13 +17,13 @@ class Shares {
   Shares& operator=(const Shares&) = delete;
   virtual ~Shares() = default;
 
-  /// The distance from its centre (m) within which a disc of this radius may count.
+  /// Distance from its centre (m) within which a disc of this radius may count.
   virtual double reach(double radius) const = 0;
   /// w^p of Latzel2001 Eq. 4 for a disc.
   virtual void of_disc(const Eigen::Vector2d& centre, double radius, ShareSums& shares) const = 0;
 
   /// Whether points and branches have their own shares. If not, contacts count where their disc does, and the
-  /// following functions must not be called.
+  /// functions below must not be called.
   virtual bool of_places() const { return false; }
   virtual void of_point(const Eigen::Vector2d& /*point*/, ShareSums& /*shares*/) const {}
   /// Mean share of the points between `from` and `from + branch`.

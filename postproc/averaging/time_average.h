@@ -12,9 +12,9 @@ namespace mikromakro {
 /// (even; 0 for none); blocks are merged in pairs when there would be more. Memory does not grow with the
 /// number of frames.
 ///
-/// A block holds frames of a single run: the remainder at the end of a run when blocks become longer is in no
-/// block, and runs shorter than a block have none. If that would leave less than a quarter of `most_blocks`,
-/// as with many short runs, the block length stays the same and there may be more blocks.
+/// A block holds frames of a single run: when blocks become longer, the remainder at the end of a run is in
+/// no block, and runs shorter than a block have none. If that would leave less than a quarter of
+/// `most_blocks`, as with many short runs, the block length stays the same and there may be more blocks.
 class TimeAverage {
  public:
   explicit TimeAverage(std::size_t most_blocks = 64) : most_blocks_(most_blocks + most_blocks % 2) {}

@@ -25,7 +25,7 @@ constexpr Colour compression{0.05, 0.05, 0.05, 1};
 constexpr Colour tension{0.84, 0.1, 0.11, 1};
 constexpr Colour halo{1, 1, 1, 0.75};
 
-// Width of a chain that carries the mean force, in mean radii.
+// Width of a chain carrying the mean force, in mean radii.
 constexpr double chain_width = 0.2;
 constexpr double largest_height = 30000;
 
@@ -100,7 +100,7 @@ class Painter {
     }
   }
 
-  // From the centre of disc 1 to that of disc 2, or of the image that it touches, or to the wall.
+  // From the centre of disc 1 to that of disc 2 or of its touching image, or to the wall.
   Eigen::Vector2d line_of(const Contact& contact) const {
     const Particle& first = frame_.particles[static_cast<std::size_t>(contact.index1)];
     const double reach = first.radius - (std::isnan(contact.overlap) ? 0 : contact.overlap);
@@ -127,7 +127,7 @@ class Painter {
 
   double width_of(double force) const { return chain_width * mean_radius() * force / scales_.mean_force; }
 
-  // Strongest on top, each with a light edge so that chains stand out from discs of any colour.
+  // The strongest on top, each with a light edge so that chains stand out from discs of any colour.
   void chains() {
     if (scales_.mean_force == 0) return;
     const auto force = [this](std::size_t i) {
@@ -167,7 +167,7 @@ class Painter {
                   {0, 0.5});
   }
 
-  // A line for a round force with its value, once for each sign that occurs.
+  // A line for a round force value, with its label, for each sign that occurs.
   void chain_key() {
     const double force = round_below(2 * scales_.mean_force);
     const ScaledUnit unit = scaled_unit(force, "N");

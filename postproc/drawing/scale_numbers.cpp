@@ -9,7 +9,7 @@ namespace mikromakro {
 
 double round_below(double x) {
   const double power = std::pow(10.0, std::floor(std::log10(x)));
-  // Rounding of the logarithm must not reject a number that is itself round.
+  // Rounding of the logarithm must not exclude a number that is itself round.
   constexpr double slack = 1 + 1e-12;
   for (const double leading : {10.0, 5.0, 2.0})
     if (leading * power <= x * slack) return leading * power;

@@ -14,7 +14,8 @@
 
 namespace mikromakro {
 
-/// A disc as the fields see it: vectors in the basis of the averaging volumes at the disc's centre, SI units.
+/// A disc as seen by the fields: vectors in the basis of the averaging volumes at the centre of the disc, SI
+/// units.
 struct Disc {
   double volume = 0;  ///< V^p = pi a^2 h, m^3
   double radius = 0;
@@ -60,7 +61,7 @@ struct VolumeData {
   Eigen::ArrayXd radius;   ///< r of each ring, ascending, m; empty if the volumes are not rings
 };
 
-/// Where a contact counts if the weight is a kernel (docs/conventions.md, Kernels). With other weights a
+/// Where a contact counts if the weight is a kernel (docs/conventions.md, Kernels). With other weights, a
 /// contact counts where its disc does.
 enum class ContactPlace {
   disc,        ///< at the disc's centre, like the quantities of the disc itself
@@ -83,10 +84,10 @@ class Field {
   /// Name for --fields.
   virtual std::string_view name() const = 0;
   virtual std::vector<Column> columns(const Axes& axes) const = 0;
-  /// Names of the fields whose columns solve() uses. They precede this field in the registry.
+  /// Names of the fields whose columns solve() uses. They must precede this field in the registry.
   virtual std::vector<std::string_view> sources() const { return {}; }
 
-  /// The option that the field requires and that was not given; empty if none is missing.
+  /// The option that the field requires and that was not given; empty if nothing is missing.
   virtual std::string_view missing_option() const { return {}; }
 
   /// Dump columns that the field requires.
@@ -98,7 +99,7 @@ class Field {
   /// Where the contacts count. Fields with a place other than the disc get their contacts one at a time.
   virtual ContactPlace contact_place() const { return ContactPlace::disc; }
 
-  /// How many numbers are summed; the length of the spans below.
+  /// Number of sums; the length of the spans below.
   virtual int sums() const { return 0; }
   /// Adds the contribution of the disc itself to `quantity`.
   virtual void add_disc(const Disc& disc, std::span<double> quantity) const;
@@ -111,7 +112,7 @@ class Field {
   /// Computes `columns` (volumes x columns().size()) from `numbers`: the mean sums (volumes x sums()), then
   /// the columns of each source. nan where a value is undefined.
   virtual void solve(const VolumeData& volumes, const ConstRowsRef& numbers, RowsRef columns) const = 0;
-  /// A remark that users of the columns need and that depends on the numbers; empty if none.
+  /// A remark for users of the columns that depends on the numbers; empty if none.
   virtual std::string note(const ConstRowsRef& numbers) const;
 };
 

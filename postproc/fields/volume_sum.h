@@ -7,7 +7,7 @@
 namespace mikromakro {
 
 /// Columns Q = 1/V times the mean sums, one to one (Eq. 4). Weighted with V, such columns of small volumes
-/// add up to those of the volume that they fill.
+/// add up to those of the larger volume that they fill.
 class VolumeSum : public Field {
  public:
   bool is_volume_sum() const final { return true; }

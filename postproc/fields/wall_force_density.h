@@ -10,8 +10,8 @@ namespace mikromakro {
 /// forces on the averaged discs, at the ends of the branches. This is the boundary interaction force density
 /// of Weinhart2012. It closes the momentum balance where walls are within reach of a kernel: div sigma + t +
 /// body forces = rate of momentum (div over the second index of sigma, kinetic stress included). With the
-/// weights sliced and centre, contacts count where their discs do, and the sum is the wall force on the discs
-/// of V only.
+/// weights sliced and centre, contacts count where their discs do, and the sum is only the wall force on the
+/// discs in V.
 class WallForceDensity : public VolumeSum {
  public:
   std::string_view name() const override { return "wall_force_density"; }

@@ -68,7 +68,7 @@ void widen(const Eigen::Array2d& error, double freedom, FitErrors& errors) {
   errors.half_width = student_t(confidence, freedom) * error;
 }
 
-// Of independent runs.
+// Errors from independent runs.
 FitErrors errors_of_runs(const RunMeans& runs) {
   FitErrors errors;
   errors.method = "jackknife of runs";
@@ -79,7 +79,7 @@ FitErrors errors_of_runs(const RunMeans& runs) {
   return errors;
 }
 
-// For v0 and s.
+// Errors of v0 and s.
 Eigen::Array2d errors_with(const Eigen::ArrayXXd& series, const Eigen::Array2d& time, double widening) {
   const auto count = static_cast<double>(series.rows());
   return widening * (variances(series.leftCols(2)).array() * time / (count - time)).sqrt();
@@ -116,7 +116,8 @@ FitErrors errors_of_series(const Eigen::ArrayXXd& series, const ExponentialProfi
   return errors;
 }
 
-// Where runs differ by more than their frames tell, only their spread counts, if there are enough.
+// If runs differ by more than their frames explain, errors come from their spread alone, if there are enough
+// runs.
 std::optional<FitErrors> errors_of_differing(const Eigen::ArrayXXd& series, const ExponentialProfile& fitted,
                                              const std::vector<std::int64_t>& of_block,
                                              const RunMeans& runs) {

@@ -193,7 +193,7 @@ class Joiner {
                       fmt::format("{}", row[periodic]));
   }
 
-  /// Sets what the row does not give and checks what it gives.
+  /// Sets what is missing from the row and checks what is given.
   void check_branch(const RowView& row, const Vector2d& branch, double reach, double slack,
                     Contact& contact) const {
     const double distance = branch.norm();
@@ -250,8 +250,8 @@ class Joiner {
     const Vector2d tangent(-contact.normal.y(), contact.normal.x());
     const Vector2d right(-contact.force.dot(contact.normal), contact.force.dot(tangent));
     const Vector2d told(row.has(fn) ? row[fn] : right.x(), row.has(ft) ? row[ft] : right.y());
-    // Both are rounded, to six digits at least, and rotated by the error of a normal that the row does not
-    // give.
+    // Both are rounded, to at least six digits, and rotated by the error of the normal if the row does not
+    // give it.
     const double turned = row.has(normal_columns) ? 0 : 2 * slack / disc(contact.index1).radius;
     const double allowed = contact.force.lpNorm<1>() * (six_digits + turned);
     if ((told - right).lpNorm<Eigen::Infinity>() <= allowed) return;
@@ -285,8 +285,9 @@ class Joiner {
   bool with_places_ = false, with_components_ = false;
 };
 
-/// Springs pull back: -f_t xi > 0. A tangential force in their columns does not, nor the slip of 2 against 1,
-/// which shows in a frame with many contacts; a dashpot beside the spring turns f_t round in some of them.
+/// Springs act against their displacement: -f_t xi > 0. A tangential force in the spring columns does not,
+/// nor does the slip of 2 relative to 1, which shows in a frame with many contacts; a dashpot parallel to the
+/// spring reverses f_t in some of them.
 void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>& contacts, bool closely) {
   constexpr std::size_t enough = 20;
   constexpr ColumnSet shear = column_set(shearx, sheary);

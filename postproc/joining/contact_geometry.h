@@ -18,13 +18,13 @@ struct ContactDiscs {
   double place_error = not_given;  ///< rounding error of coordinates (m); nan: inferred from their digits
 };
 
-/// User options for the rows, and where to note rows that are left out.
+/// User options for the rows, and where to note rows that are omitted.
 struct ContactRules {
   bool distant = false;  ///< forces may act between discs that do not touch
   Notes* notes = nullptr;
   std::int64_t step = Notes::whole;
   std::vector<int> averaged_types = {};  ///< contacts of others may be missing; empty: none may
-  bool closely = true;                   ///< with the checks that not every frame has to pass
+  bool closely = true;                   ///< including the checks that not every frame has to undergo
 };
 
 /// Joins the contacts of one frame.

@@ -63,7 +63,7 @@ bool all_pairs_differ(const std::vector<Contact>& contacts) {
   return true;
 }
 
-// A dump of contacts may hold walls itself, perhaps the very ones of the separate file, by another name.
+// A contact dump may itself contain walls, possibly those of the separate file under other ids.
 void check_walls_differ(const std::vector<Contact>& contacts, const std::vector<std::size_t>& row_of,
                         const ContactRows& rows, const std::vector<Particle>& discs) {
   std::multimap<int, std::size_t> own;  // by disc

@@ -30,8 +30,7 @@ ColumnSet wanted_contact_columns(ColumnSet needed, ColumnSet given, bool closely
   const ColumnSet force =
       contains(given, column_set(fx, fy)) ? column_set(fx, fy) | tangential_columns : column_set(fn, ft);
   const ColumnSet to_check = closely ? place_columns | column_set(fn, ft) : 0;
-  // Fields use springs if there are any, without requiring them; forces distinguish contacts from neighbour
-  // pairs.
+  // Fields use springs if present, without requiring them; forces distinguish contacts from neighbour pairs.
   return given & (needed | to_check | derivable_columns | derive_from | force | spring_columns |
                   across_columns | wall_name_columns | column_set(id1, id2, dist, periodic));
 }

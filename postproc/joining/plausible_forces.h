@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Plausibility of the forces of a whole frame, which no single row can show.
+// Plausibility of the forces of a whole frame, which cannot be judged from single rows.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@
 
 namespace mikromakro {
 
-/// Notes if all forces are 0 although discs overlap, and if forces do not push: with f_n = -f.n of each
-/// pair of discs, sum f_n < sum |f|/4; for few contacts, where a dashpot may pull, sum f_n < -sum |f|/4.
-/// Discs that merely touch push, and friction turns their forces by less than 45 degrees, whereas swapped ids
-/// or columns turn all of them. Samples some contacts of each frame, and checks all of them if the sample
-/// does not push. Does nothing if forces are not given (nan).
+/// Notes if all forces are 0 although discs overlap, and if forces are not repulsive overall: with f_n = -f.n
+/// of each pair of discs, sum f_n < sum |f|/4; for few contacts, where a dashpot may pull, sum f_n < -sum
+/// |f|/4. Without cohesion, contact forces are repulsive, and friction rotates them by less than 45 degrees,
+/// whereas swapped ids or columns rotate or reverse all of them. Samples some contacts of each frame, and
+/// checks all of them if the sample is not repulsive. Does nothing if forces are not given (nan).
 void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules);
 
 /// The same of the contacts with walls alone, all of them, from five on; and if their forces are more than a

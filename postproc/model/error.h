@@ -23,8 +23,8 @@ class Error : public std::runtime_error {
 
   Error(Kind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
 
-  /// Bad input is for the user to correct (exit code 2), a failed run is not (exit code 1). On
-  /// steps_come_again the input is read again with FrameSource::look_through.
+  /// Bad input must be corrected by the user (exit code 2); a failed run is no fault of the input (exit code
+  /// 1). On steps_come_again the input is read again with FrameSource::look_through.
   Kind kind() const { return kind_; }
 
  private:
@@ -35,7 +35,7 @@ class Error : public std::runtime_error {
 /// is too long is shortened in the middle.
 std::string one_line(std::string_view text, std::size_t longest);
 
-/// Make errors whose message is one line of bounded length; what was found is quoted, with unprintable
+/// Create errors whose message is one line of bounded length; the offending value is quoted, with unprintable
 /// characters as '?', and shortened if long.
 Error bad_input(const Place& place, std::string_view what, std::string_view expected, std::string_view got);
 Error run_failed(std::string_view what, std::string_view expected, std::string_view got);

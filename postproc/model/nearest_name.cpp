@@ -30,7 +30,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string_view nearest_name(std::string_view given, std::span<const std::string_view> known) {
-  constexpr std::size_t longest = 100;  // longer words are not mistyped names
+  constexpr std::size_t longest = 100;  // longer words are not misspelled names
   if (given.size() > longest) return {};
   std::string_view nearest;
   std::size_t least = std::max<std::size_t>(1, given.size() / 3) + 1;

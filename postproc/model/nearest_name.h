@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Suggestions for mistyped names.
+// Suggestions for misspelled names.
 #pragma once
 
 #include <cstddef>

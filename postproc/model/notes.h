@@ -14,7 +14,7 @@ namespace mikromakro {
 /// Collects texts, each once; thread-safe. The library adds notes, the program prints them.
 class Notes {
  public:
-  /// Step of a note about the input as a whole.
+  /// Step of a note that concerns the input as a whole.
   static constexpr std::int64_t whole = -1;
 
   /// `text` is one line in its final wording, identical for all frames it refers to ('p.dump: discs outside

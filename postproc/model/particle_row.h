@@ -12,7 +12,7 @@
 
 namespace mikromakro {
 
-/// After the numbers of ParticleColumn a row has a slot for z, which must be equal for all particles.
+/// After the numbers of ParticleColumn, a row has a slot for z, which must be equal for all particles.
 inline constexpr std::size_t particle_z = static_cast<std::size_t>(ParticleColumn::count);
 using ParticleSlots = std::array<double, particle_z + 1>;
 
@@ -27,7 +27,7 @@ inline std::int64_t given_or_0(const ParticleSlots& slots, ColumnSet given, Part
              : 0;
 }
 
-/// Throws what particle_of() throws.
+/// Throws whatever particle_of() throws.
 void check_particle(const ParticleSlots& slots, ColumnSet given, const Place& place);
 
 /// True if check_particle() would not throw.

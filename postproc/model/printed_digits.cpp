@@ -15,7 +15,7 @@ void PrintedDigits::add(double number) {
   ++count_;
   floats_ = floats_ && std::abs(number) <= std::numeric_limits<float>::max() &&
             static_cast<double>(static_cast<float>(number)) == number;
-  // With this many digits, the file keeps the precision of the calculation.
+  // With this many digits, the file preserves the precision of the calculation.
   constexpr int all_that_matter = 15;
   if (digits_ >= all_that_matter) return;
   // The shortest text that represents this number: d.ddde+dd.

@@ -6,7 +6,8 @@ namespace mikromakro {
 
 /// Number of significant digits that a column was printed with: the maximum over a sample of its numbers. A
 /// few numbers may all end in zeros by chance, or be written by hand, so at least six digits are assumed, as
-/// in the engines' %g. Single-precision numbers have seven digits, however they were stored since.
+/// in the engines' %g. Numbers that are exact in single precision have seven digits, whatever format stored
+/// them later.
 class PrintedDigits {
  public:
   /// Sufficient sample size.

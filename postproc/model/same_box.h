@@ -7,21 +7,22 @@
 
 namespace mikromakro {
 
-/// Whether a side changes by more than a tenth: more than a deforming box changes between two frames.
+/// Whether a side changes by more than a tenth, which is more than in a deforming box from one frame to the
+/// next.
 bool jumps(const Box& before, const Box& after);
 
 /// The note if the number of discs changes as well.
 inline constexpr const char* another_system =
     "the box and the number of discs are not those of the frames before (another run?)";
 
-/// Whether a side changes by more than a third, which hardly any run does between two frames.
+/// Whether a side changes by more than a third, which hardly occurs within a run from one frame to the next.
 bool is_another(const Box& before, const Box& after);
 
 inline constexpr const char* another_box =
     "a side of the box is longer or shorter by more than a third than in the frame before (a damaged "
     "header?)";
 
-/// Throws if the box has no width along a periodic axis, or if its bounds are not in order.
+/// Throws if the box has zero width along a periodic axis, or if its bounds are out of order.
 void check_box(const Box& box, const Place& place);
 
 /// Throws if the box in the contact header, located at `place`, differs from that of the particles: bounds to

@@ -23,7 +23,7 @@ constexpr Dimension length{1, 0, 0};
 constexpr Dimension velocity{1, 0, -1};
 constexpr Dimension force{1, 1, -2};
 
-// By ContactColumn.
+// Indexed by ContactColumn.
 constexpr Dimension contact_dimensions[] = {number,   number,   length, length, length, length, number,
                                             number,   length,   force,  force,  force,  force,  length,
                                             velocity, velocity, number, length, length, length};

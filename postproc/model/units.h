@@ -24,7 +24,7 @@ struct Units {
 /// The unit systems of LAMMPS and LIGGGHTS: si, cgs, micro, nano; lj has no SI values and is left unchanged.
 /// Throws on systems whose force is not mass x length/time^2 (real, metal, electron) and on unknown ones.
 Units units_of(std::string_view name, const Place& place);
-/// A remark that users of the numbers need; empty for si.
+/// A remark for users of the numbers; empty for si.
 std::string units_note(std::string_view name);
 
 /// Converts the bounds of a box to SI.

@@ -10,7 +10,7 @@
 namespace mikromakro {
 namespace {
 
-// Adds the errors to the table, and their basis to its header.
+// Appends the errors to the table, and how they were obtained to its header.
 BlockErrors add_errors(const Averager& averager, const TimeAverage& sums, Table& table, Preamble& lines) {
   BlockErrors errors = block_errors(
       sums, [&](const Rows& mean) { return averager.values(mean); }, averager.columns_of_fields());

@@ -33,9 +33,9 @@ std::unique_ptr<const Averager> make_averager(const AverageOptions& options);
 /// Throws on --branch and --height where none of the fields has to do with them.
 void check_use(const VolumeOptions& given, const Averager& averager);
 
-/// Empty sums, with the number of error blocks that the options ask for.
+/// Empty sums, with the number of error blocks requested by the options.
 TimeAverage no_sums(const AverageOptions& options, const Averager& averager);
-/// That number of blocks.
+/// That number.
 std::size_t error_blocks(const AverageOptions& options, const Averager& averager);
 
 /// Time steps of the first and the last frame.
@@ -56,7 +56,8 @@ struct Averaged {
 void describe_frames(const Averaged& averaged, Preamble& lines);
 
 /// Computes the table, with errors unless the options disable them, and writes it below `lines`, after
-/// appending a description of all options. At least one frame is required. Returns the basis of the errors.
+/// appending a description of all options. At least one frame is required. Returns how the errors were
+/// obtained.
 BlockErrors write_averages(const AverageOptions& options, const Averager& averager, const Averaged& averaged,
                            Preamble lines, TableOutputs& outputs);
 

@@ -14,7 +14,7 @@ std::string of_runs(const FieldErrors& made) {
   return std::isnan(chi_square) ? "" : fmt::format(", chi^2 between runs {:.2g}", chi_square);
 }
 
-// Of runs that differ, and of what changes as slowly as they last.
+// For runs that differ, or that change as slowly as they last.
 std::string report_by_runs(const FieldErrors& made) {
   const ErrorDecision& decision = made.decision;
   const std::string why =
@@ -72,7 +72,7 @@ Json json_of(const FieldErrors& made) {
   return json;
 }
 
-// Where there are none, why, as far as all fields have one reason; the others have a line each.
+// The reason if no field has errors and all have the same reason; otherwise each field has its own line.
 std::string summary_of(const BlockErrors& errors, bool known, const std::string& blocks) {
   if (errors.any()) return "standard errors by the jackknife of " + blocks;
   if (errors.enough_blocks && !known) return "nan: nothing fluctuates in " + blocks;

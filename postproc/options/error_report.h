@@ -12,7 +12,7 @@ namespace mikromakro {
 /// samples, and whether they suffice.
 void describe_errors(const BlockErrors& errors, const TimeAverage& average, Preamble& lines);
 
-/// What is to be warned of, if anything: a run that seems to be there twice.
+/// A warning if a run seems to be present twice; else empty.
 std::string doubt_of(const BlockErrors& errors);
 
 /// The same as JSON: method, frames, blocks, block_length, and for each field given, series (number that

@@ -91,7 +91,7 @@ double extent(const VolumeOptions& options) {
                       : std::fmax(grid[1] - grid[0], grid[4] - grid[3]);
 }
 
-// A kernel much wider than all volumes shows nothing of them, and takes long.
+// A kernel much wider than all volumes resolves nothing, and is slow.
 void check_width(const VolumeOptions& options) {
   constexpr double widest = 1000;
   const double width = kernel_width(options);

@@ -12,7 +12,7 @@ namespace {
 using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
 
 struct Lengths {
-  std::vector<Eigen::Index> begins;  // of each run, and the end of the last
+  std::vector<Eigen::Index> begins;  // first value of each run, then the end of the last run
 
   explicit Lengths(const std::vector<std::int64_t>& runs) {
     for (std::size_t i = 0; i < runs.size(); ++i)
@@ -24,7 +24,7 @@ struct Lengths {
   Eigen::Index of(Eigen::Index run) const { return begin(run + 1) - begin(run); }
 };
 
-// The series that change within a run, beyond rounding; all others only change from run to run.
+// The series that change within a run beyond rounding; all others change only from run to run.
 std::vector<Eigen::Index> fluctuating_within(const Rows& series, const Lengths& lengths) {
   constexpr double rounding = 1e-20;  // squared
   const Row total = (series.rowwise() - series.colwise().mean()).square().colwise().sum();
@@ -56,16 +56,16 @@ Row variances(const Rows& series, const RunMeans& means, const Lengths& lengths,
   return (left > 0).select(squares * time.transpose() / left, BetweenRuns::nan);
 }
 
-// Distribution of the mean over series of squares of `squares` degrees of freedom each.
+// Distribution of the mean over several series of squares that have `squares` degrees of freedom each.
 struct Pooled {
   double above = 0, below = 0, bias = 1;
 };
 
 Pooled pooled(const CorrelationTime& within, double squares, double values_less_runs) {
-  constexpr double fewest = 5;  // of which F has a variance
+  constexpr double fewest = 5;  // minimum for the variance of F to exist
   const double freedom = std::max(values_less_runs / within.squares, fewest);
   const double of_one = 2 * (squares + freedom - 2) / (squares * (freedom - 4));
-  constexpr double most = 1e6;  // where 2 tau is known to be 1
+  constexpr double most = 1e6;  // in place of infinity, if 2 tau is known to be 1
   return {2 * within.independent_series / of_one,
           std::min(most, 2 / std::max(within.uncertainty * within.uncertainty, 2 / most)),
           freedom / (freedom - 2)};
@@ -76,8 +76,8 @@ double mean_of_known(const Row& values) {
   return known.any() ? known.select(values, 0).sum() / static_cast<double>(known.count()) : BetweenRuns::nan;
 }
 
-// Least chi^2 of two runs, which are compared in the order of the first series so that equal ones are next to
-// each other.
+// Smallest chi^2 between two runs. Runs are compared in the order of the first series, so that equal runs are
+// adjacent.
 double nearest(const RunMeans& means, const Lengths& lengths, const Row& variance) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(lengths.count()));
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Eigen::Index>(i);

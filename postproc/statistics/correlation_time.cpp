@@ -70,7 +70,7 @@ std::optional<Window> closed_window(LaggedProducts& products) {
   }
   if (!products.all_lags()) return {};
   const Window all = window(products, products.longest());
-  // Of runs of two values, their own means leave nothing.
+  // If runs consist of two values, subtracting their own means leaves nothing.
   constexpr double most_subtracted = 0.9;
   if (all.subtracted > most_subtracted) return {};
   return all;
@@ -91,7 +91,7 @@ double variance_of_one(const Window& window, double count) {
   return 2 * sum / (count * std::pow(std::max(time, 1.0), 2));
 }
 
-// n V/(1 + V), with V the variance of the mean of a series (missing once at lag 0).
+// n V/(1 + V), with V the variance of the mean of a series (missing once, at lag 0).
 Eigen::ArrayXd own_times(const LaggedProducts& products, const Window& window,
                          const Eigen::ArrayXd& in_window) {
   const Eigen::ArrayXd variance_of_mean = in_window / (1 - window.subtracted);
@@ -128,7 +128,7 @@ Eigen::ArrayXd beyond_window(LaggedProducts& products, const Window& window,
   return (of_one - of_all) / std::sqrt(more * window.squares * std::max(window.time, 1.0) / products.count());
 }
 
-// Only the amount that normal series have by chance is subtracted.
+// Subtracts only the amount that normal series have by chance.
 double square_skewness(const LaggedProducts& products, double squares) {
   return std::max(0.0, products.square_skewness() - 6 * squares / products.count());
 }
@@ -146,7 +146,7 @@ CorrelationTime correlation_time(Rows series, const std::vector<std::int64_t>& r
   result.square_skewness = square_skewness(products, result.squares);
   result.independent_series = products.independent_series(result.squares);
   double of_one = variance_of_one(*window, products.count());
-  // Dividing by what means of short runs leave of the sum magnifies its error.
+  // Dividing by the part of the sum that the means of short runs leave magnifies its error.
   if (about == About::own_means) of_one /= std::pow(1 - window->subtracted, 2);
   const double of_all = of_one / result.independent_series;
   const Eigen::ArrayXd in_window = products.sums_of_series(window->lags());

@@ -42,7 +42,7 @@ ErrorDecision decide(const CorrelationTime& correlation, double count) {
   decision.needed = needed_samples(correlation, count);
   decision.unlike = correlation.unknown_scatter > most_unknown;
   const double of_time = correlation.uncertainty_of_series;
-  // The mean of all values, which is subtracted, takes one degree of freedom.
+  // Subtracting the mean of all values takes one degree of freedom.
   decision.freedom = 2 / (2 * correlation.squares / (count - 1) + of_time * of_time);
   decision.given =
       decision.samples >= decision.needed && !decision.unlike && decision.freedom >= least_freedom;

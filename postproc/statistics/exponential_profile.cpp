@@ -142,7 +142,7 @@ Fitted fit_logarithm(const Points& points, bool weighted) {
   return {p, change_with_v(of_p, weight, 1 / points.v)};
 }
 
-// Distance between the two points nearest to the wheel.
+// Distance between the two points closest to the wheel.
 double first_distance(Eigen::ArrayXd x) {
   std::partial_sort(x.begin(), x.begin() + 2, x.end());
   return x[1] - x[0];

@@ -16,7 +16,7 @@ struct ExponentialProfile {
 };
 
 /// Points of a profile. `error` (standard error of v) may be empty: equal weights. Points with a non-finite v
-/// or error are left out.
+/// or error are ignored.
 struct ProfilePoints {
   Eigen::ArrayXd r;
   Eigen::ArrayXd v;

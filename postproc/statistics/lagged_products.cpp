@@ -10,7 +10,7 @@ namespace {
 
 using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
 
-// Calls work(first, count) for bundles of series that fit the cache.
+// Calls work(first, count) for bundles of series that fit into the cache.
 template <typename Do>
 void in_bundles(Eigen::Index count, Do work) {
   constexpr Eigen::Index bundle = 256;
@@ -26,7 +26,7 @@ std::vector<Eigen::Index> lengths_of(const std::vector<std::int64_t>& runs) {
   return lengths;
 }
 
-// About the mean of each of these stretches.
+// Standardised about the mean of each of these stretches.
 Rows standardised(Rows series, const std::vector<Eigen::Index>& stretches) {
   in_bundles(series.cols(), [&](Eigen::Index first, Eigen::Index count) {
     auto some = series.middleCols(first, count);

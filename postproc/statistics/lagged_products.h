@@ -10,13 +10,13 @@
 
 namespace mikromakro {
 
-/// What series are taken about: the mean of all values, or the mean of each run. About a common mean, a run
-/// that is off as a whole is correlated with itself at all lags.
+/// The mean that is subtracted from series: that of all values, or that of each run. About a common mean, a
+/// run that is offset as a whole is correlated with itself at all lags.
 enum class About { common_mean, own_means };
 
-/// Of series about their means, each divided by its standard deviation. Pairs across different runs do not
-/// count. Averages over the series use at most a thousand of them, evenly spread: these suffice, and keep
-/// large grids cheap.
+/// Products of series about their means, each divided by its standard deviation. Pairs across different runs
+/// do not count. Averages over the series use at most a thousand of them, evenly spread, which suffice and
+/// keep large grids cheap.
 class LaggedProducts {
  public:
   /// One row per time, one column per series; every series must fluctuate.
@@ -31,8 +31,8 @@ class LaggedProducts {
   bool all_lags() const { return longest_ + 1 == longest_run_; }
 
   double pairs(Eigen::Index lag) const;
-  /// How much of the variance of the mean of all values is missing in the products at a lag because means
-  /// were subtracted: 1 for the common mean; sum_r (n_r - k)/n_r n/N_k for means of runs of n_r values.
+  /// Fraction of the variance of the mean of all values that is missing in the products at a lag because
+  /// means were subtracted: 1 for the common mean; sum_r (n_r - k)/n_r n/N_k for means of runs of n_r values.
   double missing(Eigen::Index lag) const;
   /// Mean over the pairs and all series, computed on first use; 1 at lag 0.
   double mean(Eigen::Index lag);

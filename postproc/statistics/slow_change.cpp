@@ -12,9 +12,9 @@ namespace {
 using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
 
 constexpr int waves = 5;
-constexpr double shortest_run = 10;  // that is looked at, in units of 2 tau
+constexpr double shortest_run = 10;  // to be examined, in units of 2 tau
 
-// Square of a wave of one run.
+// Squared amplitude of a wave in one run.
 Row square_of_wave(const Eigen::Ref<const Rows>& run, int k) {
   const auto count = static_cast<double>(run.rows());
   Row wave = Row::Zero(run.cols());
@@ -23,7 +23,7 @@ Row square_of_wave(const Eigen::Ref<const Rows>& run, int k) {
   return 2 / count * wave.square();
 }
 
-// As many as determine 2 tau, evenly spread.
+// As many series as are used to determine 2 tau, evenly spread.
 Rows some_of(const Rows& series) {
   constexpr Eigen::Index most = 1000;
   if (series.cols() <= most) return series;

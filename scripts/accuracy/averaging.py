@@ -112,8 +112,8 @@ def section():
     yield "![averages](accuracy_averaging.png)"
     yield ""
     yield (f"{frames} snapshots of the small cell within 30 s, law with spring; rms difference over the rings from the sliced average of all frames "
-           f"on the same rings, over its rms. Times: reading and averaging of solid fraction, velocity "
-           f"and stress, one thread, median of {REPETITIONS} repetitions in turn. Numbers: [accuracy_averaging.csv](accuracy_averaging.csv).")
+           f"on the same rings, divided by its rms. Times: reading and averaging of solid fraction, velocity "
+           f"and stress, one thread, median of {REPETITIONS} alternating repetitions. Numbers: [accuracy_averaging.csv](accuracy_averaging.csv).")
     yield ""
     yield "| weight | ms per frame, 60 rings (least to most) | " + " | ".join(f"{label}, {rings} rings" for rings in (20, 150) for label in COLUMNS.values()) + " |"
     yield "| --- " * (2 + 2 * len(COLUMNS)) + "|"

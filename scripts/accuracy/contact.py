@@ -16,7 +16,7 @@ SCHEMES = {"half_step": "velocities of the half step (stock)", "same_instant": "
 PANELS = (("linear with dashpot", "restitution", "linear, dashpot: $e_n$"), ("linear with dashpot", "duration", "linear, dashpot: duration"),
           ("dashpot and spring", "slip", "dashpot and spring: slip after"), ("Hertz with dashpot", "restitution", "Hertz, dashpot: $e_n$"),
           ("linear elastic", "energy", "linear, elastic: energy"), ("elastic with spring", "slip", "elastic and spring: slip after"))
-QUANTITIES = {"restitution": "v_n'/v_n", "slip": "v_t'/v_n", "duration": "duration/t_c", "energy": "energy after over before"}
+QUANTITIES = {"restitution": "v_n'/v_n", "slip": "v_t'/v_n", "duration": "duration/t_c", "energy": "energy after/before"}
 
 
 def measured():
@@ -76,28 +76,24 @@ def section():
     yield "![errors of an impact](accuracy_contact.png)"
     yield ""
     yield ("Two small discs of the paper's cell meet, head-on or at 45 degrees; rms over 8 x 8 phases of first contact and of release within a step "
-           "(`build/bin/accuracy_bench`, [accuracy_contact.csv](accuracy_contact.csv)). The work is proportional to the abscissa; on top, what the small cell costs (median of five runs). The reference has "
-           "t_c/20000; where there is a "
-           "closed form it agrees to 1e-7 (`physics.Impact.AgreesWithTheClosedForms`), and the engine makes the same steps (`*.ImpactInTheEngine.*`).")
+           "(`build/bin/accuracy_bench`, [accuracy_contact.csv](accuracy_contact.csv)). The computational cost is proportional to the abscissa; the upper axis gives that of the small cell (median of five runs). "
+           "The reference is computed with t_c/20000; where a closed form exists, it agrees to 1e-7 (`physics.Impact.AgreesWithTheClosedForms`), and the engine makes the same steps (`*.ImpactInTheEngine.*`).")
     yield ""
     yield from table(errors)
     yield ""
-    yield ("The dashpot's force jumps where discs meet and part. A step counts a force from half a step before to half a step after it, so that each "
-           "jump is misplaced by up to "
-           "half a step: order 1, whatever the velocities. Its force for the share of the step in contact (`force_of_step` in `physics/contact/contact_law.h`) "
-           "restores order 2. It is not what `fix nve/disc` does: it is not free. With it (commit 6f399b5) the evaluation of a pair took 6 % longer without friction, 11 % under Eq. 1, 13 % "
-           "with a spring, a step 3 to 9 %, and no macroscopic answer asks for it: those of the cell (below) and sin(phi) of [the biaxial box](../../inputs/biaxial/README.md) do not follow the time step, "
-           "up to t_c/15 and t_c/13. Eight runs of the box with it (the engine of that commit, seeds 1 to 8) had sin(phi) = 0.279, 0.284, "
-           "0.272, 0.278, 0.278, 0.294, 0.296, 0.296: 0.285 +- 0.003 (95 %: +- 0.008), beside 0.295 +- 0.004 (+- 0.009) of eight without it: "
-           "0.010 +- 0.005 apart, 2.0 standard errors of 14 degrees of freedom, which eight runs of each cannot tell from chance (p = 0.07). "
-           "The first four alone, 0.278 +- 0.003, were a low draw: the other four have 0.291 +- 0.004. Eight runs with it in the engine as it "
-           "is now (`force_of_step` after `contact_force` in `physics/contact/contact_batch.h`, frequency 1/dt; seeds 1 to 8) had 0.307, 0.308, 0.289, "
-           "0.289, 0.299, 0.294, 0.310, 0.294: 0.299 +- 0.003 (+- 0.007), 0.004 +- 0.005 above those without it, and 0.014 +- 0.005 above the "
-           "same scheme in the earlier engine, which differs in more than that: 3.1 standard errors of 14 degrees of freedom, so that the sixteen with it are not pooled. No effect of the scheme "
-           "on the strength is shown. "
-           "Half-step velocities keep a bias of "
-           "order 1 besides.")
+    yield ("The force of the dashpot jumps when discs meet and separate. A step applies a force from half a step before to half a step after its evaluation, so each jump is "
+           "misplaced by up to half a step: order 1, whichever velocities are used. Weighting the dashpot force by the fraction of the step in contact "
+           "(`force_of_step` in `physics/contact/contact_law.h`; \"share\" in the table and the diagram) restores order 2. `fix nve/disc` does not do this because of its cost: with it (commit 6f399b5) the evaluation "
+           "of a pair took 6 % longer without friction, 11 % under Eq. 1, 13 % with a spring, a step 3 to 9 %; and no macroscopic result requires it: those of the cell (below) "
+           "and sin(phi) of [the biaxial box](../../inputs/biaxial/README.md) do not depend on the time step, up to t_c/15 and t_c/13. Eight runs of the box with it (the engine "
+           "of that commit, seeds 1 to 8) gave sin(phi) = 0.279, 0.284, 0.272, 0.278, 0.278, 0.294, 0.296, 0.296: 0.285 +- 0.003 (95 %: +- 0.008), compared with "
+           "0.295 +- 0.004 (+- 0.009) for eight without it: a difference of 0.010 +- 0.005, 2.0 standard errors with 14 degrees of freedom, which eight runs of each cannot "
+           "distinguish from chance (p = 0.07). The first four alone, 0.278 +- 0.003, were low by chance: the other four give 0.291 +- 0.004. Eight runs with it in the present "
+           "engine (`force_of_step` after `contact_force` in `physics/contact/contact_batch.h`, frequency 1/dt; seeds 1 to 8) gave 0.307, 0.308, 0.289, 0.289, 0.299, 0.294, "
+           "0.310, 0.294: 0.299 +- 0.003 (+- 0.007), 0.004 +- 0.005 above those without it, and 0.014 +- 0.005 above the same scheme in the earlier engine, which also differs "
+           "in other respects: 3.1 standard errors with 14 degrees of freedom, so the sixteen runs with it are not pooled. No effect of the scheme on the strength is "
+           "demonstrated. In addition, half-step velocities retain a bias of order 1.")
     yield ""
-    yield (f"Without dashpots nothing jumps, and all schemes are the same. The energy of an elastic rebound drifts by {drift[1][at_rule]:.0e} of "
-           f"itself on average at t_c/57, and scatters by "
+    yield (f"Without dashpots there are no jumps, and all schemes are the same. The energy of an elastic rebound at t_c/57 drifts by {drift[1][at_rule]:.0e} on "
+           f"average, relative to its value, and scatters by "
            f"{drift[2][at_rule]:.0e}.")

@@ -10,9 +10,9 @@ TITLE = "Effects"
 BASE = {"law": "cundall_strack"}
 # Name, what it says, variables of inputs/couette/in.couette in which it differs from the base.
 EFFECTS = (("spring", "base: dashpot, Cundall-Strack spring", {}),
-           ("eq1", "Eq. 1 in place of the spring", {"law": "viscous"}),
+           ("eq1", "Eq. 1 instead of the spring", {"law": "viscous"}),
            ("frictionless", "no friction (mu = 0)", {"mu": 0}),
-           ("tangential_dashpot", "tangential dashpot besides", {"law": "cundall_strack tangential_damping on"}),
+           ("tangential_dashpot", "additional tangential dashpot", {"law": "cundall_strack tangential_damping on"}),
            ("no_attraction", "no attraction (limitForce)", {"law": "cundall_strack limitForce on"}),
            ("no_dashpot", "no dashpot", {"law": "cundall_strack damping off"}),
            ("bottom", "bottom friction, mu_b = 2e-5", {"mu_b": 2e-5}),
@@ -31,14 +31,14 @@ def section():
     steps = (2.5 + scene.cell.discard_time + scene.cell.measure_time) / DT
     cost = {name: 1e6 * np.array([runs.seconds(folder) for folder in folders[name]]) / steps for name in folders}
     base, base_cost = scene.over_seeds(folders["spring"]), np.median(cost["spring"])
-    yield (f"{scene.cell.run}, t_c/54, {scene.cell.measure_time} s of shear after {scene.cell.discard_time} s, means and standard errors of "
+    yield (f"Cell `{scene.cell.run}`, t_c/54, {scene.cell.measure_time} s of shear after {scene.cell.discard_time} s, means and standard errors of "
            f"{len(scene.cell.seeds)} seeds; in brackets the difference from the base in per cent and in units "
            f"of its standard error ({scene.of_seeds(len(scene.cell.seeds))}; of {(len(EFFECTS) - 1) * len(scene.PLAIN)} comparisons "
-           f"{0.05 * (len(EFFECTS) - 1) * len(scene.PLAIN):.0f} are beyond by chance). Processor time of the whole run per step, output included: median (least to most) of the seeds, which ran in turn. "
+           f"{0.05 * (len(EFFECTS) - 1) * len(scene.PLAIN):.0f} lie outside by chance). Processor time of the whole run per step, output included: median (least to most) over the seeds, which were run in alternation. "
            "What each effect costs in the pair loop: "
            "[performance](../performance.md), `build/bin/effects_bench`.")
     yield ""
-    yield "| effect | " + " | ".join(scene.PLAIN.values()) + " | us per step | over the base |"
+    yield "| effect | " + " | ".join(scene.PLAIN.values()) + " | us per step | relative to the base |"
     yield "| --- " * (len(scene.PLAIN) + 3) + "|"
     for name, says, _ in EFFECTS:
         found, cells = scene.over_seeds(folders[name]), []

@@ -174,7 +174,7 @@ def changes(found):
 def of_seeds(count):
     """What a number of standard errors of a difference means: Student's t with 2 (n - 1) degrees of freedom, 95 %."""
     student = {8: 2.31, 14: 2.14, 22: 2.07}
-    return f"{student[2 * (count - 1)]:.1f} of them are an interval of 95 %, Student's t of two means of {count} seeds"
+    return f"{student[2 * (count - 1)]:.1f} of them give a 95 % interval, Student's t for two means of {count} seeds"
 
 
 def verdicts(found):
@@ -192,28 +192,28 @@ def section():
     yield "![error of positions](accuracy_positions.png)"
     yield ""
     at = int(np.flatnonzero(steps == 56)[0])
-    yield (f"The small cell (1131 discs, law with spring) from one saved state, after 1 s of shear, against the same with t_c/800 "
+    yield (f"The small cell (1131 discs, law with spring) from one saved state, after 1 s of shear, compared with the same run at t_c/800 "
            f"(`scripts/accuracy/continue.in`, "
            f"[accuracy_positions.csv](accuracy_positions.csv)). After 0.05 s, in which the discs have moved by {moved[5]:.1e} m (rms), positions are "
            f"off by {rms['predicted'][at][5]:.1e} m at t_c/56, "
-           f"and by {rms['half_step'][at][5]:.1e} m with half-step velocities. Order 1 both, since contacts open and close all the time. In an "
-           f"engine whose dashpots acted for their share of the step in contact it was order 2 here, too: 5.1e-08 m at t_c/56, 9.8e-10 m at t_c/400. "
-           f"Trajectories part soon after.")
+           f"and by {rms['half_step'][at][5]:.1e} m with half-step velocities. Both are of order 1, since contacts open and close all the time. In an "
+           f"engine whose dashpots were weighted by the fraction of the step in contact, the error was of order 2 here too: 5.1e-08 m at t_c/56, 9.8e-10 m at t_c/400. "
+           f"Trajectories diverge soon after.")
     found, costs = draw_answers()
     yield ""
     yield "![macroscopic answer](accuracy_answers.png)"
     yield ""
-    yield (f"Where trajectories have lost their memory only means count. {cell.run}, Eq. 1, {cell.measure_time} s of shear after {cell.discard_time} "
+    yield (f"Once trajectories have lost their memory, only means are meaningful. Cell `{cell.run}`, Eq. 1, {cell.measure_time} s of shear after {cell.discard_time} "
            f"s; means and standard errors of {len(cell.seeds)} seeds, "
            f"in brackets the difference from t_c/{STEPS[-1]}, in per cent and in units of its standard error ({of_seeds(len(cell.seeds))}; "
-           f"of {(len(STEPS) - 1) * len(PLAIN)} comparisons {'one is' if round(0.05 * (len(STEPS) - 1) * len(PLAIN)) == 1 else 'some are'} beyond by chance). Grey: 1 % about t_c/{STEPS[-1]}. "
+           f"of {(len(STEPS) - 1) * len(PLAIN)} comparisons {'one lies' if round(0.05 * (len(STEPS) - 1) * len(PLAIN)) == 1 else 'some lie'} outside by chance). Grey: 1 % about t_c/{STEPS[-1]}. "
            f"Numbers: [accuracy_answers.csv](accuracy_answers.csv).")
     yield ""
     yield from changes(found)
     yield ""
     yield from verdicts(found)
     yield ""
-    yield ("At t_c/8 the packing does not come to rest: explicit dashpots of discs with many contacts heat it.")
+    yield ("At t_c/8 the packing does not come to rest: explicitly integrated dashpots of discs with many contacts heat it.")
     yield ""
     yield "Processor time per simulated second: " + ", ".join(
-        f"{np.median(costs[n]):.2f} s ({costs[n].min():.2f} to {costs[n].max():.2f}) at t_c/{n}" for n in STEPS) + "; medians of the seeds, which ran in turn."
+        f"{np.median(costs[n]):.2f} s ({costs[n].min():.2f} to {costs[n].max():.2f}) at t_c/{n}" for n in STEPS) + "; medians over the seeds, which were run in alternation."

@@ -18,8 +18,8 @@ def section():
             folder = runs.engine(f"skin_{cell}_{1e3 * skin:g}_{k}", scene.COUETTE, run=cell, law="cundall_strack", skin=skin, discard_time=0,
                                  measure_time=SHEAR_TIME, snap_time=SHEAR_TIME)
             times[cell, skin].append(1e6 * runs.seconds(folder) / steps)
-    yield (f"`inputs/couette`, t_c/54, law with spring, from the dilute start through {SHEAR_TIME} s of shear: processor time per step in us over the skin of the "
-           f"neighbour lists, median (least to most) of {REPETITIONS} runs in turn. The skin changes the order of sums, and so the last digits, nothing else.")
+    yield (f"`inputs/couette`, t_c/54, law with spring, from the dilute start through {SHEAR_TIME} s of shear: processor time per step in us as a function of the skin of the "
+           f"neighbour lists, median (least to most) of {REPETITIONS} alternating runs. The skin changes the order of summation, and thus the last digits, nothing else.")
     yield ""
     yield "| free discs | " + " | ".join(f"{1e3 * skin:g} mm" for skin in SKINS) + " |"
     yield "| --- " * (len(SKINS) + 1) + "|"

@@ -50,7 +50,7 @@ class Row:
         return "".join(letter if letter.isalnum() else "_" for letter in self.name)
 
     def outcome(self):
-        return "refused" if self.refused else "told" if self.told else "works"
+        return "refused" if self.refused else "warning" if self.told else "works"
 
 
 def names(path=ROWS):

@@ -21,7 +21,7 @@ class Kernel {
   /// Distance beyond which the kernel is 0.
   virtual double reach() const = 0;
   virtual double density(double q) const = 0;
-  /// e(q)/q^2, with e the integral of the kernel within distance q < reach; finite at 0.
+  /// e(q)/q^2, with e the integral of the kernel within the distance q < reach; finite at 0.
   virtual double part_over_square(double q) const = 0;
   /// The same for many points at once, in place: q^2 in, e(q)/q^2 out, to 1e-12.
   virtual void parts_over_squares(std::span<double> squares) const = 0;

@@ -30,7 +30,7 @@ class FramesUnderWay {
     }
   }
 
-  // Loop of the calling thread: handing over the sums that are next in order has priority.
+  // Loop of the calling thread: passing on the sums that are next in order has priority.
   void take_all(const TakeSums& take) {
     Frame frame;
     Lock lock(mutex_);

@@ -59,7 +59,7 @@ void settle(const std::optional<Error>& own, std::int64_t order) {
 }
 
 // Collects the sums of this rank and exchanges them in rounds in which every unfinished rank has the same
-// number of frames, so that no frame of a later round precedes one of this round.
+// number of frames, so that no frame of a later round precedes one of the current round.
 class Rounds {
  public:
   Rounds(const Ranks& ranks, const TakeSums& take, std::int64_t most_bytes)

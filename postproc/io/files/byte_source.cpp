@@ -48,7 +48,7 @@ class PlainSource : public ByteSource {
   std::int64_t bytes_ = 0;
 };
 
-// Members are inflated one by one: gzread would drop whatever stands behind the last of them in silence.
+// Members are inflated one by one: gzread would silently drop any data after the last one.
 class GzipSource : public ByteSource {
  public:
   explicit GzipSource(OpenFile file) : file_(std::move(file)), packed_(std::size_t{1} << 18U) {
@@ -88,7 +88,7 @@ class GzipSource : public ByteSource {
     return got > 0;
   }
 
-  // False if all that has been read is zeros, with which tapes fill their blocks, as gzip takes it.
+  // False if everything read so far is zeros: tapes pad their blocks with zeros, which gzip ignores.
   bool begin_member(const Place& place) {
     Bytef* const end = stream_.next_in + stream_.avail_in;
     if (members_ > 0 && *stream_.next_in == 0) padded_ = true;
@@ -124,7 +124,7 @@ class GzipSource : public ByteSource {
   z_stream stream_ = {};
   std::int64_t bytes_ = 0, members_ = 0;
   bool within_member_ = false;
-  bool padded_ = false;  ///< zeros have begun behind the last member
+  bool padded_ = false;  ///< zero padding has begun after the last member
 };
 
 class ZstdSource : public ByteSource {

@@ -23,8 +23,8 @@ class FrameFormat {
 
   /// Advances to the next frame; false at the end.
   virtual bool next(std::int64_t& step) = 0;
-  /// Reads the bytes of the frame found by `next`; without this call the frame is skipped. `closely`: with
-  /// all contact columns that can be checked, needed or not.
+  /// Reads the bytes of the frame found by `next`; without this call the frame is skipped. `closely`:
+  /// including all contact columns that can be checked, whether needed or not.
   virtual UnpackFrame take(bool closely = false) = 0;
   /// The run that this frame belongs to, from 0.
   virtual std::int64_t run() const { return 0; }

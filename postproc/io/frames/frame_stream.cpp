@@ -104,7 +104,7 @@ void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   note_forces(frame.contacts, rules);
   note_wall_forces(frame.contacts, rules);
   if (raw.with_contacts) note_derived_overlaps(raw, frame.contacts, rules);
-  // The rows are read anew for the next frame.
+  // The rows are read again for the next frame.
   frame.particles.swap(raw.particles);
   convert(raw.units, raw, frame);
   frame.time = raw.time;

@@ -50,7 +50,7 @@ struct FrameSource {
 
   ColumnWishes wishes() const;
   std::vector<Run> runs() const;
-  /// One of the runs alone (from 0), all of its frames, with notes of its own.
+  /// A single run (from 0), with all of its frames, and with its own notes.
   FrameSource one_run(std::size_t run) const;
   /// The selection with non-negative indices; counts the frames if necessary.
   FrameSelection settled_selection() const;

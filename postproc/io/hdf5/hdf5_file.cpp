@@ -32,8 +32,8 @@ hid_t in_file(Hdf5Type type) {
   return type == Hdf5Type::byte ? H5T_STD_U8LE : H5T_IEEE_F64LE;
 }
 
-// The file format of 1.10: its metadata have checksums, so damage is detected, and it can be appended to
-// while others read.
+// The file format of 1.10: its metadata have checksums, so damage is detected, and files can be appended to
+// while others read them.
 Hdf5Id newer_layout() {
   Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   // A reader alongside a writer retries on a checksum mismatch, after 1 ns, 2 ns, 4 ns...: a write in
@@ -44,8 +44,8 @@ Hdf5Id newer_layout() {
   return access;
 }
 
-// H5Fclose of a file whose data cannot be written aborts in an HDF5 with assertions (2.2 of Debian): it stays
-// open then.
+// H5Fclose of a file whose data cannot be written aborts if HDF5 was built with assertions (Debian's 2.2):
+// such a file is left open.
 int close_written(std::int64_t id) {
   const int flushed = H5Fflush(id, H5F_SCOPE_GLOBAL);
   return flushed < 0 ? flushed : H5Fclose(id);

@@ -94,8 +94,8 @@ class Hdf5Dataset {
   std::string place_;
 };
 
-/// At exit HDF5 writes what it still holds, and crashes if the disk is full. Programs that close all their
-/// files call this before any other use of HDF5.
+/// At exit HDF5 writes the data it still holds, and crashes if the disk is full. Programs that close all
+/// their files call this before any other use of HDF5.
 void leave_hdf5_open_at_exit();
 
 /// Paths are absolute; missing groups are created. HDF5's own messages never reach stderr.
@@ -115,11 +115,11 @@ class Hdf5File {
   /// Whether a file has the HDF5 signature; false also for a file that cannot be read.
   static bool recognises(const std::string& file);
 
-  /// Throws if that cannot be read.
+  /// Throws if this cannot be determined.
   bool has(const std::string& path) const;
 
   /// Adds a dataset that can grow in every dimension; `chunk` is the HDF5 chunk shape, `checked` adds a
-  /// checksum per chunk, so that flipped bits are found. `fill`: value of integers never written.
+  /// checksum per chunk, so that flipped bits are detected. `fill`: value of integers never written.
   Hdf5Dataset add_growing(const std::string& path, Hdf5Type type, const Hdf5Shape& chunk,
                           std::int64_t fill = 0, bool checked = true);
   Hdf5Dataset dataset(const std::string& path) const;

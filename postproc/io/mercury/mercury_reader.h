@@ -36,7 +36,7 @@ struct MercuryHeader {
   std::int64_t step = 0;  ///< index of the frame in its file, from 0
 
   double order() const { return time; }
-  /// To the six digits that the files have at least.
+  /// Equal to six digits, the minimum in the files.
   bool same_time(const MercuryHeader& other) const;
   std::string time_text() const;
 };
@@ -57,7 +57,7 @@ class MercuryReader {
   static constexpr std::string_view not_ascending = "times do not ascend";
   static constexpr bool has_pieces = false;
 
-  /// None if a compressed file was truncated among them (in .fstat: anywhere after the header).
+  /// None if a truncated compressed file ends among the rows (in .fstat: anywhere after the header).
   std::optional<MercuryBlock> take_rows(const MercuryHeader& header);
   bool cut() const { return lines_.cut(); }
 

@@ -143,7 +143,7 @@ struct SnapshotReader::Open {
   std::vector<ChunkReader> columns;   // by ContactColumn
 };
 
-// If both files have frames.
+// Call only if both files have frames.
 bool SnapshotReader::are_of_two_systems(const Open& before, const Open& after) {
   const std::size_t frames = before.summary.steps.size();
   return frames > 0 && !after.summary.steps.empty() &&

@@ -16,7 +16,7 @@ namespace mikromakro {
 
 /// Options of the matching.
 struct Matching {
-  FrameSelection selection;  ///< unmatched frames of other steps are left out silently
+  FrameSelection selection;  ///< unmatched frames of other steps are omitted silently
   bool look_through = false;
   std::shared_ptr<Notes> notes;
 };

@@ -25,7 +25,7 @@ class PlaneCheck {
   double plane_ = not_given;
 };
 
-/// Of one frame, or a piece of it.
+/// The particles of one frame, or of a piece of it.
 struct ParticleRows {
   std::vector<Particle> particles;
   ColumnSet given = 0;             ///< the available columns
