@@ -9,6 +9,7 @@
 
 #include "joining/contact_pairs.h"
 #include "joining/contact_tolerance.h"
+#include "joining/plausible_forces.h"
 #include "joining/row_branch.h"
 
 namespace mikromakro {
@@ -312,7 +313,7 @@ void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>
 
 /// f_t/xi over f_n/overlap is k_t/k_n, near 1, whether contacts slide or not. Laws without a dashpot aside it
 /// scatters.
-void note_size_of_springs(const std::vector<Contact>& contacts, const ContactRules& rules) {
+void note_size_of_springs(const std::vector<Contact>& contacts, Notes& notes, std::int64_t step) {
   constexpr std::size_t enough = 20;
   constexpr double most = 100;
   double tangential = 0, springs = 0, normal = 0, overlaps = 0;
@@ -326,14 +327,14 @@ void note_size_of_springs(const std::vector<Contact>& contacts, const ContactRul
     normal += std::abs(pushing);
     overlaps += std::abs(contact.overlap);
   }
-  if (rules.notes == nullptr || count < enough || !(tangential > 0 && normal > 0)) return;
+  if (count < enough || !(tangential > 0 && normal > 0)) return;
   const double ratio = tangential / springs * overlaps / normal;
   if (ratio > most || ratio < 1 / most)
-    rules.notes->add(
+    notes.add(
         "f_t over the tangential springs is not within a hundred times f_n over the overlaps (springs of "
         "another unit, or "
         "another quantity in their column?)",
-        rules.step);
+        step);
 }
 
 }  // namespace
@@ -343,7 +344,7 @@ std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& 
   const Joiner joiner(rows, discs, rules);
   std::vector<Contact> contacts;
   std::vector<std::size_t> row_of;
-  std::int64_t deep = 0;
+  std::int64_t deep = 0, walls = 0;
   contacts.reserve(rows.rows.size());
   row_of.reserve(rows.rows.size());
   Contact contact;
@@ -352,12 +353,17 @@ std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& 
     contacts.push_back(contact);
     row_of.push_back(i);
     deep += joiner.is_deep(contact) ? 1 : 0;
+    walls += contact.with_wall() ? 1 : 0;
   }
-  check_pairs(contacts, row_of, rows, discs.particles, discs.box, rules.notes, rules.step);
+  check_pairs(contacts, row_of, rows, discs.particles, discs.box);
   check_springs_pull_back(rows, contacts, rules.closely);
-  if (rules.closely) note_size_of_springs(contacts, rules);
   const auto left_out = static_cast<std::int64_t>(rows.rows.size() - contacts.size());
   if (rules.notes == nullptr) return contacts;
+  if (rules.closely) note_size_of_springs(contacts, *rules.notes, rules.step);
+  if (walls > 0) {
+    note_wall_forces(contacts, rules);
+    note_walls_twice(contacts, discs.particles, *rules.notes, rules.step);
+  }
   if (left_out > 0)
     rules.notes->add("near pairs without force that do not touch are no contacts, left out", rules.step,
                      left_out);

@@ -89,8 +89,32 @@ void check_walls_differ(const std::vector<Contact>& contacts, const std::vector<
   }
 }
 
-// One side of a disc that touches two walls of the same file: both may act, where a script defines a wall
-// twice.
+}  // namespace
+
+void check_pairs(const std::vector<Contact>& contacts, const std::vector<std::size_t>& row_of,
+                 const ContactRows& rows, const std::vector<Particle>& discs, const Box& box) {
+  if (!rows.wall_file.empty()) check_walls_differ(contacts, row_of, rows, discs);
+  if (all_pairs_differ(contacts)) return;
+  const BranchImages images(box);
+  std::vector<std::size_t> order(contacts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return pair_of(contacts[a]) < pair_of(contacts[b]); });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Contact& contact = contacts[order[i]];
+    for (std::size_t j = i; j-- > 0 && pair_of(contacts[order[j]]) == pair_of(contact);) {
+      const double apart = (ordered_normal(contacts[order[j]]) - ordered_normal(contact)).norm();
+      const bool other_image = contact.with_wall()
+                                   ? contact.id2 <= static_cast<std::int64_t>(first_mesh) && apart > same_side
+                                   : images.several_within(reach_of(contact, discs)) && apart > same_image;
+      if (other_image) continue;
+      throw bad_input(
+          rows.place(row_of[order[i]]), "contact listed twice", "each pair once per frame",
+          fmt::format("{} {} as in line {}", contact.id1, contact.id2, rows.place(row_of[order[j]]).line));
+    }
+  }
+}
+
 void note_walls_twice(const std::vector<Contact>& contacts, const std::vector<Particle>& discs, Notes& notes,
                       std::int64_t step) {
   std::vector<std::size_t> walls;
@@ -113,34 +137,6 @@ void note_walls_twice(const std::vector<Contact>& contacts, const std::vector<Pa
   if (twice > 0)
     notes.add("discs touch two walls on the same side by the same overlap (a wall defined or listed twice?)",
               step, twice);
-}
-
-}  // namespace
-
-void check_pairs(const std::vector<Contact>& contacts, const std::vector<std::size_t>& row_of,
-                 const ContactRows& rows, const std::vector<Particle>& discs, const Box& box, Notes* notes,
-                 std::int64_t step) {
-  if (notes != nullptr) note_walls_twice(contacts, discs, *notes, step);
-  if (!rows.wall_file.empty()) check_walls_differ(contacts, row_of, rows, discs);
-  if (all_pairs_differ(contacts)) return;
-  const BranchImages images(box);
-  std::vector<std::size_t> order(contacts.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return pair_of(contacts[a]) < pair_of(contacts[b]); });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Contact& contact = contacts[order[i]];
-    for (std::size_t j = i; j-- > 0 && pair_of(contacts[order[j]]) == pair_of(contact);) {
-      const double apart = (ordered_normal(contacts[order[j]]) - ordered_normal(contact)).norm();
-      const bool other_image = contact.with_wall()
-                                   ? contact.id2 <= static_cast<std::int64_t>(first_mesh) && apart > same_side
-                                   : images.several_within(reach_of(contact, discs)) && apart > same_image;
-      if (other_image) continue;
-      throw bad_input(
-          rows.place(row_of[order[i]]), "contact listed twice", "each pair once per frame",
-          fmt::format("{} {} as in line {}", contact.id1, contact.id2, rows.place(row_of[order[j]]).line));
-    }
-  }
 }
 
 }  // namespace mikromakro

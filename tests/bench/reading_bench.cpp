@@ -18,12 +18,16 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <numeric>
+#include <span>
 #include <sstream>
 #include <vector>
 
 #include "averaging/parallel/ordered_sums.h"
 #include "averaging/volumes/ring_volumes.h"
 #include "dump_scene.h"
+#include "io/hdf5/chunk_reader.h"
+#include "io/snapshot/snapshot_layout.h"
 #include "io/snapshot/snapshot_writer.h"
 
 namespace mikromakro::bench {
@@ -104,6 +108,24 @@ void write_snapshots(const Dumps& dumps, const std::string& to) {
   writer.close();
 }
 
+// One column of contacts of all frames, 8-byte numbers with checksums: as our reader takes it, and by HDF5's
+// own read.
+double sum_of_chunks(const std::string& file) {
+  const Hdf5File opened = Hdf5File::open(file);
+  ChunkReader reader(opened.dataset(snapshot::contacts + "fx"));
+  std::vector<double> numbers(opened.dataset(snapshot::contacts + "fx").shape()[0]);
+  reader.take(0, numbers.size()).unpack(0, std::span<double>(numbers));
+  return std::accumulate(numbers.begin(), numbers.end(), 0.0);
+}
+
+double sum_by_hdf5(const std::string& file) {
+  const Hdf5File opened = Hdf5File::open(file);
+  const Hdf5Dataset column = opened.dataset(snapshot::contacts + "fx");
+  std::vector<double> numbers(column.shape()[0]);
+  column.read<double>({{0}, column.shape()}, numbers);
+  return std::accumulate(numbers.begin(), numbers.end(), 0.0);
+}
+
 struct Case {
   std::string name;
   std::function<void()> run;
@@ -170,6 +192,10 @@ void throughput(int repetitions) {
       cases.push_back(
           {fmt::format("{}, read and averaged, {} thread{}", name, threads, threads > 1 ? "s" : ""),
            [&averager, source = source, threads] { average_all(source, averager, threads); }});
+  const std::size_t own = cases.size(), by_hdf5 = own + 1;
+  cases.push_back(
+      {"HDF5, one column, chunks by our reader", [&] { sum += sum_of_chunks(folder.path("s.h5")); }});
+  cases.push_back({"HDF5, one column, H5Dread", [&] { sum += sum_by_hdf5(folder.path("s.h5")); }});
   measure(cases, repetitions);
   fmt::print(
       "{} frames of 3800 discs and 4700 contacts, {:.1f} MB of text, {} repetitions (checksum {:.3g})\n",
@@ -180,6 +206,7 @@ void throughput(int repetitions) {
   };
   fmt::print("HDF5 over text, cpu: {:.1f} (every column {:.1f})\n", ratio(2, 4, &Case::cpu),
              ratio(1, 3, &Case::cpu));
+  fmt::print("H5Dread over our reader of chunks, cpu: {:.1f}\n", ratio(by_hdf5, own, &Case::cpu));
   fmt::print("averaging beyond reading, cpu: {:.2f} ms per frame\n",
              1e3 * (median(cases[5].cpu) - median(cases[2].cpu)) / frame_count);
   fmt::print("two threads over one, wall: text {:.2f}, gzip {:.2f}, HDF5 {:.2f}\n", ratio(5, 6, &Case::wall),

@@ -102,7 +102,6 @@ void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   const bool without = raw.with_contacts && frame.contacts.empty();
   if ((raw.closely || without) && rules.notes != nullptr) note_overlaps(raw, frame.contacts, rules);
   note_forces(frame.contacts, rules);
-  note_wall_forces(frame.contacts, rules);
   if (raw.with_contacts) note_derived_overlaps(raw, frame.contacts, rules);
   // The rows are read again for the next frame.
   frame.particles.swap(raw.particles);
@@ -186,9 +185,9 @@ FrameStream::FrameStream(const FrameSource& source)
       one_run_(source.further_runs.empty()),
       format_(format_of(source)) {}
 
-// The first two frames of each run (rows may be missing from the second on), every 64th, and those with a
-// quarter more or a fifth fewer contacts than any frame checked so far: a run that starts with separated
-// discs has no contacts to check in its first frame, and a frame that has lost rows may occur anywhere.
+// The first frame of each run, every 64th, and those with a quarter more or a fifth fewer contacts than any
+// frame checked so far: a run that starts with separated discs has no contacts to check in its first frame,
+// and a frame that has lost rows may occur anywhere.
 bool FrameStream::is_looked_at_closely(std::int64_t step) {
   constexpr std::int64_t seldom = 64;
   if (!of_all_ranks_.contains(index_, step)) return false;
@@ -199,7 +198,7 @@ bool FrameStream::is_looked_at_closely(std::int64_t step) {
   const std::int64_t number = selected_of_run_++, rows = format_->contact_rows();
   const bool unlike = rows < 0 ? std::has_single_bit(static_cast<std::uint64_t>(number))
                                : 4 * rows > 5 * most_rows_looked_at_ || 5 * rows < 4 * least_rows_looked_at_;
-  if (number % seldom != 0 && number != 1 && !unlike) return false;
+  if (number % seldom != 0 && !unlike) return false;
   most_rows_looked_at_ = std::max(most_rows_looked_at_, rows);
   least_rows_looked_at_ = number == 0 ? rows : std::min(least_rows_looked_at_, rows);
   return true;
