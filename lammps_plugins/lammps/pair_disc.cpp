@@ -100,15 +100,7 @@ void PairDisc::allocate() {
   memory->create(setflag, types + 1, types + 1, "pair:setflag");
   memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
   for (int i = 1; i <= types; ++i) std::fill_n(&setflag[i][1], types, 0);
-  coefficients_.assign(static_cast<std::size_t>(types) * types, {});
-}
-
-PairDisc::Coefficients& PairDisc::coefficients(int i, int j) {
-  return coefficients_[static_cast<std::size_t>(i - 1) * atom->ntypes + j - 1];
-}
-
-const PairDisc::Coefficients& PairDisc::coefficients(int i, int j) const {
-  return coefficients_[static_cast<std::size_t>(i - 1) * atom->ntypes + j - 1];
+  coefficients_ = TypePairTable<Coefficients>(types);
 }
 
 void PairDisc::settings(int narg, char** arg) {
@@ -117,7 +109,7 @@ void PairDisc::settings(int narg, char** arg) {
     modify->replace_fix(history_id, std::string(dummy_id) + " all DUMMY", 1);
     history_ = nullptr;
   }
-  tell_of_foreign_springs();
+  warn_of_foreign_springs();
 }
 
 namespace {
@@ -136,13 +128,14 @@ template struct Grant<StylesInRestart, &Modify::style_restart_peratom>;
 }  // namespace
 
 /// For a restart file of a run under another law: no fix of ours reads its springs.
-void PairDisc::tell_of_foreign_springs() const {
+void PairDisc::warn_of_foreign_springs() const {
   if (!law_.effects().spring()) return;
   for (int k = 0; k < modify->nfix_restart_peratom; ++k) {
     if (std::string("NEIGH_HISTORY") != (modify->*member(StylesInRestart{}))[k]) continue;
-    tell(*lmp,
-         "WARNING: " + law_.style() +
-             ": the restart file holds springs of another law: they are left out, and springs begin at zero");
+    print_line(
+        *lmp,
+        "WARNING: " + law_.style() +
+            ": the restart file holds springs of another law: they are left out, and springs begin at zero");
   }
 }
 
@@ -169,7 +162,7 @@ void PairDisc::coeff(int narg, char** arg) {
   for (int i = i_low; i <= i_high; ++i) {
     for (int j = std::max(i, j_low); j <= j_high; ++j, ++count) {
       setflag[i][j] = 1;
-      coefficients(i, j) = given;
+      coefficients_(i, j) = given;
     }
   }
   if (count == 0) arguments.fail("expected types I <= J");
@@ -187,13 +180,13 @@ void PairDisc::init_style() {
   if (comm->ghost_velocity == 0) law_.fail("needs 'comm_modify vel yes'");
   request_list(*neighbor, this, instance_me, law_.effects().spring());
   provide_history();
-  law_.begin_run(parameters());
+  law_.begin_run(materials());
 }
 
 void PairDisc::provide_history() {
   if (history_ || !law_.effects().spring()) return;
   const std::string command =
-      std::string(history_id) + " all NEIGH_HISTORY/DISC " + std::to_string(Law::history_size);
+      std::string(history_id) + " all NEIGH_HISTORY/DISC " + std::to_string(history_size);
   history_ = dynamic_cast<FixDiscHistory*>(modify->replace_fix(dummy_id, command, 1));
   history_->pair = this;
 }
@@ -204,9 +197,9 @@ ContactParameters PairDisc::parameters(int i, int j) const {
   ContactParameters p;
   for (std::size_t k = 0; k < table.size(); ++k) {
     const auto& [keyword, symbol, name, member, positive] = table[k];
-    const auto& value = coefficients(i, j)[k];
+    const auto& value = coefficients_(i, j)[k];
     if (value) p.*member = *value;
-    if (!is_needed(table[k].member, law_.effects().normal_dashpot, law_.effects().tangential)) continue;
+    if (!is_needed(table[k].member, law_.effects())) continue;
     if (!value)
       law_.fail(pair + " needs the constant " + symbol + "; expected '" + pair + " ... " + keyword +
                 " VALUE'");
@@ -215,15 +208,10 @@ ContactParameters PairDisc::parameters(int i, int j) const {
   return p;
 }
 
-std::vector<ContactParameters> PairDisc::parameters() const {
-  const int types = atom->ntypes;
-  std::vector<ContactParameters> all(static_cast<std::size_t>(types) * types);
-  for (int i = 1; i <= types; ++i) {
-    for (int j = i; j <= types; ++j) {
-      all[static_cast<std::size_t>(i - 1) * types + j - 1] = parameters(i, j);
-      all[static_cast<std::size_t>(j - 1) * types + i - 1] = parameters(i, j);
-    }
-  }
+MaterialTable PairDisc::materials() const {
+  MaterialTable all(atom->ntypes);
+  for (int i = 1; i <= all.types(); ++i)
+    for (int j = i; j <= all.types(); ++j) all(i, j) = all(j, i) = parameters(i, j);
   return all;
 }
 
@@ -277,33 +265,34 @@ double PairDisc::single(int i, int j, int /*type_i*/, int /*type_j*/, double dis
 }
 
 void PairDisc::write_restart(FILE* file) {
-  law_.write_settings(file, restart_key);
+  law_.law_settings().write(file, restart_key);
   for (int i = 1; i <= atom->ntypes; ++i) {
     for (int j = i; j <= atom->ntypes; ++j) {
       std::fwrite(&setflag[i][j], sizeof(int), 1, file);
-      std::fwrite(&coefficients(i, j), sizeof(Coefficients), 1, file);
+      std::fwrite(&coefficients_(i, j), sizeof(Coefficients), 1, file);
     }
   }
 }
 
 void PairDisc::read_restart(FILE* file) {
-  law_.read_settings(file, restart_key);
+  law_.law_settings().read(*lmp, law_.style(), file, restart_key);
+  law_.use_settings();
   if (!allocated) allocate();
   for (int i = 1; i <= atom->ntypes; ++i) {
     for (int j = i; j <= atom->ntypes; ++j) {
       if (comm->me == 0) {
         utils::sfread(FLERR, &setflag[i][j], sizeof(int), 1, file, nullptr, error);
-        utils::sfread(FLERR, &coefficients(i, j), sizeof(Coefficients), 1, file, nullptr, error);
+        utils::sfread(FLERR, &coefficients_(i, j), sizeof(Coefficients), 1, file, nullptr, error);
       }
       MPI_Bcast(&setflag[i][j], 1, MPI_INT, 0, world);
-      MPI_Bcast(&coefficients(i, j), sizeof(Coefficients), MPI_BYTE, 0, world);
+      MPI_Bcast(&coefficients_(i, j), sizeof(Coefficients), MPI_BYTE, 0, world);
     }
   }
 }
 
 /// The partner disc has the same spring: its sign does not depend on the order of the discs.
 void PairDisc::turn_history(const double* from, double* to) {
-  std::copy_n(from, Law::history_size, to);
+  std::copy_n(from, history_size, to);
 }
 
 double PairDisc::memory_usage() {
@@ -312,7 +301,7 @@ double PairDisc::memory_usage() {
 
 PairDisc::Law::Law(PairDisc& pair, LAMMPS* engine, physics::Normal normal)
     : DiscLaw(engine), pair_(pair), normal_(normal) {
-  forget_settings(normal_, Tangential::none);
+  law_settings().reset(normal_, Tangential::none);
 }
 
 std::string PairDisc::Law::style() const {
@@ -321,10 +310,10 @@ std::string PairDisc::Law::style() const {
 
 void PairDisc::Law::read(int narg, char** arg) {
   require_two_dimensions();
-  forget_settings(normal_, Tangential::none);
+  law_settings().reset(normal_, Tangential::none);
   Arguments arguments(*lmp, style(), narg, arg);
   while (arguments.more()) {
-    if (take_setting(arguments)) continue;
+    if (law_settings().take(arguments)) continue;
     if (!arguments.take_once("tangential"))
       arguments.unexpected(std::string("tangential, damping, tangential_damping, limitForce") +
                            (physics::depends_on_velocity(normal_) ? ", impact_velocity" : "") +
@@ -333,8 +322,9 @@ void PairDisc::Law::read(int narg, char** arg) {
     const auto named =
         std::find_if(names.begin(), names.end(), [&](const auto& name) { return arguments.take(name); });
     if (named == names.end()) arguments.unexpected("tangential " + alternatives(names));
-    set_tangential(*tangential_named(*named));
+    law_settings().set_tangential(*tangential_named(*named));
   }
+  law_settings().finish(arguments);
   use_settings();
 }
 
@@ -349,7 +339,7 @@ std::vector<MaterialConstant> PairDisc::Law::given_constants() const {
     MaterialConstant constant{table[k].name, units[k], {}};
     for (int i = 1; i <= types; ++i) {
       for (int j = 1; j <= types; ++j) {
-        const auto& value = pair_.coefficients(std::min(i, j), std::max(i, j))[k];
+        const auto& value = pair_.coefficients_(std::min(i, j), std::max(i, j))[k];
         if (value) constant.values.push_back(*value);
       }
     }
@@ -358,15 +348,15 @@ std::vector<MaterialConstant> PairDisc::Law::given_constants() const {
   return all;
 }
 
-void PairDisc::Law::keep_springs_with_atoms() {
+void PairDisc::Law::copy_histories_to_atoms() {
   if (pair_.history_) pair_.history_->pre_exchange();
 }
 
-DiscLaw::History PairDisc::Law::history() {
+ContactHistory PairDisc::Law::contact_history() {
   return {pair_.history_->firstflag, pair_.history_->firstvalue, history_size};
 }
 
-void PairDisc::Law::tell_engine(const ObservedContact& c) {
+void PairDisc::Law::tally(const TalliedContact& c) {
   pair_.ev_tally_xyz(c.i, c.j, atom->nlocal, 0, 0.0, 0.0, c.f_x, c.f_y, 0.0, -c.d_x, -c.d_y, 0.0);
 }
 

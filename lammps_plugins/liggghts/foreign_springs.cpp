@@ -45,7 +45,7 @@ void leave_aside(char* id) {
 
 /// Prevents the engine from stopping the run with its own message. The number of values per spring is stored
 /// in the file.
-void PairGranDisc::leave_foreign_springs() {
+void PairGranDisc::discard_foreign_springs() {
   if (!effects().spring()) return;
   Modify& engine = *modify;
   for (int k = 0; k < engine.nfix_restart_global; ++k) {
@@ -58,8 +58,9 @@ void PairGranDisc::leave_foreign_springs() {
       char* of_atoms = (engine.*member(AtomIds{}))[m];
       if (std::strcmp(of_atoms, springs_id) == 0) leave_aside(of_atoms);
     }
-    tell(*DiscLaw::lmp, "WARNING: " + style() + ": the restart file holds springs of another law, " +
-                            text_of(numbers) + " numbers each: they are left out, and springs begin at zero");
+    print_line(*DiscLaw::lmp, "WARNING: " + style() + ": the restart file holds springs of another law, " +
+                                  text_of(numbers) +
+                                  " numbers each: they are left out, and springs begin at zero");
   }
 }
 

@@ -61,16 +61,16 @@ std::vector<double> PairGranDisc::material_constant(const char* name, const std:
   return values;
 }
 
-std::vector<physics::ContactParameters> PairGranDisc::read_material_constants() const {
-  std::vector<physics::ContactParameters> parameters(static_cast<std::size_t>(atom->ntypes) * atom->ntypes);
+MaterialTable PairGranDisc::read_material_constants() const {
+  MaterialTable materials(atom->ntypes);
   for (const Constant& constant : constants) {
-    if (!is_needed(constant.member, effects().normal_dashpot, effects().tangential)) continue;
+    if (!is_needed(constant.member, effects())) continue;
     const std::string unit = unit_of(constant, effects().normal);
     const auto values =
         material_constant(constant.name, constant.symbol + (" [" + (unit.empty() ? "-" : unit) + "]"));
-    for (std::size_t k = 0; k < values.size(); ++k) parameters[k].*constant.member = values[k];
+    for (std::size_t k = 0; k < values.size(); ++k) materials.values()[k].*constant.member = values[k];
   }
-  for (const auto& p : parameters) {
+  for (const auto& p : materials.values()) {
     if (p.normal_stiffness == 0) fail("property/global kn: expected > 0, got 0");
     if (effects().spring() && p.tangential_stiffness == 0) {
       fail(
@@ -78,7 +78,7 @@ std::vector<physics::ContactParameters> PairGranDisc::read_material_constants() 
           "spring");
     }
   }
-  return parameters;
+  return materials;
 }
 
 std::vector<MaterialConstant> PairGranDisc::given_constants() const {

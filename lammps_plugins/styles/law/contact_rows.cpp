@@ -91,7 +91,7 @@ bool append_contact_rows(LAMMPS& engine, int group_bit, std::vector<ContactRow>&
   // A changing box moves discs after their forces were evaluated, and dumps show the moved positions.
   const bool box_changes = engine.domain->box_change != 0;
   if (box_changes) engine.comm->forward_comm();
-  law->tell_of_deep_overlaps();
+  law->warn_of_deep_overlaps();
   for (const auto& c : *contacts) {
     if (!(atom.mask[c.i] & group_bit) || !(atom.mask[c.j] & group_bit)) continue;
     // A contact across a rank boundary is evaluated on both ranks; the owner of the larger id reports it.

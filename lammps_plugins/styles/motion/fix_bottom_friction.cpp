@@ -57,8 +57,8 @@ double FixBottomFriction::apply() {
   double power = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const auto* seen = law_ ? law_->seen(i) : nullptr;
-    const auto v = seen ? seen->velocity() : physics::PlaneVector{atom->v[i][0], atom->v[i][1]};
+    const auto* row = law_ ? law_->evaluated_row(i) : nullptr;
+    const auto v = row ? row->velocity() : physics::PlaneVector{atom->v[i][0], atom->v[i][1]};
     const auto force = physics::bottom_friction(mu_b_ * g_ * atom->rmass[i], v, v_0_);
     loads.add(i, force);
     power -= force.x * v.x + force.y * v.y;

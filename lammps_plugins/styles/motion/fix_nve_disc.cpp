@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstring>
 #include <string>
-#include <utility>
 
 #include <mpi.h>
 
@@ -17,7 +16,7 @@
 #include "engine/processor_clones.h"
 #include "error.h"
 #include "law/disc_law.h"
-#include "neighbor.h"
+#include "law/open_steps.h"
 #include "update.h"
 
 namespace mikromakro::styles {
@@ -77,13 +76,13 @@ void FixNveDisc::check_run() const {
 
 void FixNveDisc::init() {
   check_run();
-  step_complete_ = half_steps_wait_ = false;
+  step_complete_ = half_steps_pending_ = false;
   prediction_ = Prediction::none;
-  next_question_ = 0;
+  next_check_ = 0;
   law_ = active_disc_law(*lmp);
   packed_ = law_ ? &law_->packed_discs(*this) : nullptr;
   predicts_ = law_ && predicted_ && law_->velocities_predicted();
-  if (packed_) packed_->may_stay_open = predicts_ && fused_ && may_stay_open(*lmp, *this);
+  if (packed_) packed_->may_stay_open = predicts_ && fused_ && steps_may_be_open(*lmp, *this);
 }
 
 /// The engine sorts and exchanges atoms before the first step.
@@ -92,9 +91,9 @@ void FixNveDisc::setup_pre_exchange() {
 }
 
 void FixNveDisc::initial_integrate(int /*vflag*/) {
-  go_on_from_last_run();
+  resume_last_run();
   if (packed_ && packed_->open) {
-    go_on();
+    begin_fused_step();
   } else {
     begin_step();
   }
@@ -104,12 +103,12 @@ void FixNveDisc::find_members() {
   members_.clear();
   others_.clear();
   for (int i = 0; i < atom->nlocal; ++i) (atom->mask[i] & groupbit ? members_ : others_).push_back(i);
-  seen_elsewhere_ = atoms_with_ghosts(*comm, atom->nlocal);
+  with_ghosts_ = atoms_with_ghosts(*comm, atom->nlocal);
   members_known_ = true;
 }
 
 void FixNveDisc::begin_step() {
-  half_steps_wait_ = false;
+  half_steps_pending_ = false;
   const double dt = update->dt;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (predicts_) predictions_[i].values = Four{0, 0, 0, 0};
@@ -129,12 +128,12 @@ void FixNveDisc::begin_step() {
 }
 
 void FixNveDisc::send_to_ghosts() {
-  if (half_steps_wait_) return;
+  if (half_steps_pending_) return;
   if (comm->nprocs > 1 || atom->nghost > 0) send_values_to_ghosts();
 }
 
 void FixNveDisc::pre_force(int /*vflag*/) {
-  if (!predicts_ || half_steps_wait_) return;
+  if (!predicts_ || half_steps_pending_) return;
   prediction_ = Prediction::differences;
 }
 
@@ -152,14 +151,14 @@ void FixNveDisc::predict(std::vector<physics::DiscRow>& rows, int first) const {
 
 /// At the first step that ends in the open state: stores mid-step velocities, from which the next step
 /// begins.
-void FixNveDisc::take_half_steps() {
+void FixNveDisc::store_half_steps() {
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     const double kick = update->dt / 2 / atom->rmass[i];
     half_steps_[i].values = Four{atom->v[i][0], atom->v[i][1], atom->omega[i][2], kick};
     spin_kicks_[i] = 2 * kick / (atom->radius[i] * atom->radius[i]);
   }
-  half_steps_wait_ = true;
+  half_steps_pending_ = true;
 }
 
 namespace {
@@ -205,7 +204,7 @@ FOR_EACH_PROCESSOR void move_discs(OpenStep& step, int before) {
 }  // namespace
 
 /// As begin_step(), with fused half-kicks from the packed disc data.
-void FixNveDisc::go_on() {
+void FixNveDisc::begin_fused_step() {
   if (!members_known_) find_members();
   static_assert(sizeof(OfDisc) == sizeof(Four));
   OpenStep step{members_.data(),      static_cast<int>(members_.size()),
@@ -225,33 +224,28 @@ void FixNveDisc::go_on() {
 /// for up to four steps, less than a collision takes. Within these an elastic collision at most doubles the
 /// largest speed, and discs released from rest, which move by 1, 3, 5, 7, 9 in equal steps, average six times
 /// the first displacement over the last four. On a single rank the check is repeated in every step.
-bool FixNveDisc::neighbours_suffice() {
-  if (update->ntimestep < next_question_) return true;
-  int steps[] = {law_->steps_neighbours_suffice(), law_->steps_near_pairs_suffice()};
+bool FixNveDisc::lists_stay_valid() {
+  if (update->ntimestep < next_check_) return true;
+  int steps[] = {law_->steps_lists_stay_valid(), law_->steps_inner_list_stays_valid()};
   if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, steps, 2, MPI_INT, MPI_MIN, world);
-  packed_->look_is_due = steps[1] == 0;
-  next_question_ = update->ntimestep + std::clamp(std::min(steps[0], steps[1]), 1, comm->nprocs > 1 ? 4 : 1);
+  packed_->prune_is_due = steps[1] == 0;
+  next_check_ = update->ntimestep + std::clamp(std::min(steps[0], steps[1]), 1, comm->nprocs > 1 ? 4 : 1);
   return steps[0] > 0;
 }
 
 /// All discs have moved, and the engine is about to check whether neighbour lists must be rebuilt. If they
-/// cannot be due, its search over all discs is skipped; if they may be, discs and springs must be in its
-/// arrays. The clearing of forces is skipped too if nothing reads them.
+/// cannot be due, its search over all discs is skipped; if they may be, discs and tangential displacements
+/// must be in its arrays. The clearing of forces is skipped too if nothing reads them.
 void FixNveDisc::post_integrate() {
   if (!packed_ || !packed_->open) return;
-  if (!neighbours_suffice() || build_is_due(*lmp)) {
-    law_->put_discs_into_engine();
-    law_->put_springs_into_engine();
+  if (!lists_stay_valid() || build_is_due(*lmp)) {
+    law_->write_discs_to_engine();
+    law_->write_displacements_to_engine();
   } else {
-    for (const int i : seen_elsewhere_) law_->put_disc_into_engine(i);
-    packed_->check_is_off = !neighbor->build_once;
-    neighbor->build_once = 1;
-    // A signal that arrives after this point and requires new lists waits for the next step.
-    packed_->asks_for_lists = std::exchange(asks_for_lists(*neighbor), 0);
+    for (const int i : with_ghosts_) law_->write_disc_to_engine(i);
+    law_->skipped_work(*this).skip_list_check(*lmp);
   }
-  int& not_cleared = forces_are_not_cleared(*update->integrate);
-  packed_->clear_is_off = !not_cleared && law_->will_stay_open();
-  if (packed_->clear_is_off) not_cleared = 1;
+  if (law_->step_may_end_open()) law_->skipped_work(*this).skip_clearing(*lmp);
 }
 
 /// Discs are about to change indices and ranks.
@@ -263,8 +257,8 @@ void FixNveDisc::final_integrate() {
   prediction_ = Prediction::none;
   if (!packed_ || !packed_->open) {
     end_step();
-  } else if (!half_steps_wait_) {
-    take_half_steps();
+  } else if (!half_steps_pending_) {
+    store_half_steps();
   }
 }
 
@@ -275,12 +269,12 @@ void FixNveDisc::end_step() {
     double *v = atom->v[i], *omega = atom->omega[i];
     const double kick = dt / 2 / atom->rmass[i];
     const double spin_kick = 2 * kick / (atom->radius[i] * atom->radius[i]);
-    const Four half = half_steps_wait_ ? half_steps_[i].values : Four{v[0], v[1], omega[2], 0};
+    const Four half = half_steps_pending_ ? half_steps_[i].values : Four{v[0], v[1], omega[2], 0};
     v[0] = half[0] + kick * atom->f[i][0];
     v[1] = half[1] + kick * atom->f[i][1];
     omega[2] = half[2] + spin_kick * atom->torque[i][2];
   }
-  half_steps_wait_ = false;
+  half_steps_pending_ = false;
   note_end_of_step();
 }
 
@@ -288,7 +282,7 @@ void FixNveDisc::end_step() {
 void FixNveDisc::post_run() {
   if (packed_ && packed_->open) {
     law_->close();
-    law_->keep_springs_with_atoms();
+    law_->copy_histories_to_atoms();
     end_step();
   }
   keep_last_forces();

@@ -146,8 +146,8 @@ void FixAveMicromacro::setup(int /*vflag*/) {
 void FixAveMicromacro::warn_of_change() {
   auto constants = active_disc_law(*lmp)->given_constants();
   if (!constants_.empty() && constants_ != constants && averaged_.sums.frames() > 0)
-    tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
-                   "): constants of the law have changed: the averages hold frames of before, too");
+    print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
+                         "): constants of the law have changed: the averages hold frames of before, too");
   constants_ = std::move(constants);
 }
 
@@ -198,9 +198,9 @@ void FixAveMicromacro::run_ended() {
   if (waiting_ == 0 || told_when_) return;
   told_when_ = true;
   const LAMMPS_NS::bigint next = (update->ntimestep / write_every_ + 1) * write_every_;
-  tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + std::to_string(waiting_) +
-                 " frames are in no table yet: Nfreq = " + std::to_string(write_every_) +
-                 " makes the next one in step " + std::to_string(next));
+  print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + std::to_string(waiting_) +
+                       " frames are in no table yet: Nfreq = " + std::to_string(write_every_) +
+                       " makes the next one in step " + std::to_string(next));
 }
 
 void FixAveMicromacro::write() {
@@ -209,8 +209,8 @@ void FixAveMicromacro::write() {
       {"program", "mikromakro " MIKROMAKRO_VERSION " fix ave/micromacro"},
       {"run", std::string("group ") + group->names[igroup] + ", every " + std::to_string(nevery) + " steps"}};
   if ((averaged_.sums.mean() == 0).all())
-    tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
-                   "): no disc lies in the volumes, or is of the types that are averaged");
+    print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
+                         "): no disc lies in the volumes, or is of the types that are averaged");
   write_averages(options_, *averager_, averaged_, lines, outputs);
   if (windows_) averaged_ = {no_sums(options_, *averager_), {}};
 }

@@ -59,7 +59,7 @@ class FixEnergyDisc : public FixOfEngine, public ContactObserver {
   double kinetic_energy() const;
   void update_values();
   std::array<double, 5> tallies() const;
-  void go_on_with(const std::array<double, 5>& tallies);
+  void set_tallies(const std::array<double, 5>& tallies);
 
   std::vector<WallKind> walls_;
   std::vector<ContactRow> rows_;

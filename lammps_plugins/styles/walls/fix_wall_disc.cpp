@@ -48,7 +48,7 @@ FixWallDisc::FixWallDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) : FixW
   clock_ = physics::StepClock(0.0, update->ntimestep, update->dt);
   walls_.add(first_id, settings_.wall.shape == WallShape::flat ? "plane" : "circle", settings_.type);
   walls_.act_on(groupbit, 0);
-  keep_springs_with_atoms();
+  copy_histories_to_atoms();
 }
 
 // Called after the restart state, if any, has been read.
@@ -58,7 +58,7 @@ void FixWallDisc::once_defined() {
 
 void FixWallDisc::init() {
   notice_new_count();
-  saved_walls_.tell_of_those_left(*lmp);
+  saved_walls_.warn_of_unclaimed(*lmp);
   follow_time_step(update->ntimestep);
   int before = 0;
   for (const Fix* fix : fixes(*modify)) {
@@ -222,7 +222,8 @@ void FixWallDisc::write_restart(FILE* file) {
 void FixWallDisc::restart(char* buffer) {
   const auto state = read_state<SavedState>(*lmp, *this, buffer);
   if (!same_place(state.wall, settings_.wall)) {
-    tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
+    print_line(*lmp,
+               "WARNING: fix " + std::string(id) + " (" + style +
                    "): not where the restart file has it: it begins anew at the place that the script gives");
     return;
   }

@@ -27,7 +27,7 @@ FixWithWalls::~FixWithWalls() {
   atom->delete_callback(id, 1);
 }
 
-void FixWithWalls::keep_springs_with_atoms() {
+void FixWithWalls::copy_histories_to_atoms() {
   walls_.grow(atom->nmax);
   for (int i = 0; i < atom->nlocal; ++i) walls_.clear(i);
   atom->add_callback(0);

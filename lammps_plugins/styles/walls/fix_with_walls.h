@@ -38,7 +38,7 @@ class FixWithWalls : public FixWithClock, public WallContactSource {
   /// Stops the run in three dimensions, or if atoms have no spin.
   FixWithWalls(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
   /// Call once the walls have been added.
-  void keep_springs_with_atoms();
+  void copy_histories_to_atoms();
 
   SmoothWalls walls_;
   WallsOfRestart saved_walls_;

@@ -28,9 +28,9 @@ int SmoothWalls::add(int id, const std::string& name, int type) {
   return static_cast<int>(kinds_.size()) - 1;
 }
 
-void SmoothWalls::act_on(int group_bit, int but_not_on_bits) {
+void SmoothWalls::act_on(int group_bit, int excluded_bits) {
   group_bit_ = group_bit;
-  excluded_bits_ = but_not_on_bits;
+  excluded_bits_ = excluded_bits;
 }
 
 template <int... numbers>
@@ -141,7 +141,7 @@ void SmoothWalls::find_near(const std::vector<physics::SmoothWall>& walls) {
 }
 
 physics::MovingDisc SmoothWalls::disc(int i) const {
-  if (const auto* row = law_ ? law_->seen(i) : nullptr) {
+  if (const auto* row = law_ ? law_->evaluated_row(i) : nullptr) {
     // Without friction, rows hold no spin.
     const double spin = law_->effects().tangential == Tangential::none ? atom->omega[i][2] : row->spin();
     return {{row->x(), row->y()}, row->velocity(), spin, row->radius()};

@@ -32,7 +32,7 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   /// Changes the id in contact rows; springs in restart files keep the id of add().
   void show_as(int number, int id) { kinds_[number].id = id; }
   bool any() const { return !kinds_.empty(); }
-  void act_on(int group_bit, int but_not_on_bits);
+  void act_on(int group_bit, int excluded_bits);
   const std::vector<WallKind>& kinds() const { return kinds_; }
 
   /// Stops the run if a wall overlaps a disc by half its radius or more. For new walls.

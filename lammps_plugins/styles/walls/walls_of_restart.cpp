@@ -38,12 +38,12 @@ WallsOfRestart::WallsOfRestart(const LAMMPS_NS::LAMMPS& engine, std::string styl
     if (style_ == (modify.*member(SavedStyles{}))[k]) names_.emplace_back((modify.*member(SavedIds{}))[k]);
 }
 
-void WallsOfRestart::tell_of_those_left(LAMMPS_NS::LAMMPS& engine) {
+void WallsOfRestart::warn_of_unclaimed(LAMMPS_NS::LAMMPS& engine) {
   for (const std::string& name : names_)
     if (engine.modify->find_fix(name.c_str()) < 0)
-      tell(engine,
-           "WARNING: " + style_ + ": the restart file holds the walls of fix " + name +
-               ", which the script does not define: where they stood, and their springs, are left out");
+      print_line(engine,
+                 "WARNING: " + style_ + ": the restart file holds the walls of fix " + name +
+                     ", which the script does not define: where they stood, and their springs, are left out");
   names_.clear();
 }
 

@@ -40,7 +40,7 @@ FixBiaxial2d::FixBiaxial2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : FixWi
   walls_.act_on(groupbit, 0);
   reset_references();
 
-  keep_springs_with_atoms();
+  copy_histories_to_atoms();
 }
 
 int FixBiaxial2d::calls_wanted() const {
@@ -56,7 +56,7 @@ void FixBiaxial2d::once_defined() {
 
 void FixBiaxial2d::init() {
   notice_new_count();
-  saved_walls_.tell_of_those_left(*lmp);
+  saved_walls_.warn_of_unclaimed(*lmp);
   follow_time_step(update->ntimestep);
   check_rectangle();
   walls_.init(smooth_walls());

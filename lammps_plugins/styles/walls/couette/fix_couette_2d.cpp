@@ -66,7 +66,7 @@ void FixCouette2d::once_defined() {
 
 void FixCouette2d::init() {
   notice_new_count();
-  saved_walls_.tell_of_those_left(*lmp);
+  saved_walls_.warn_of_unclaimed(*lmp);
   follow_time_step(update->ntimestep);
   check_groups();
   check_radii();
