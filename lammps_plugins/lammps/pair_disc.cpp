@@ -12,6 +12,7 @@
 #include "engine/arguments.h"
 #include "engine/engine_access.h"
 #include "engine/first_rank.h"
+#include "engine/private_member.h"
 #include "error.h"
 #include "fix_disc_history.h"
 #include "force.h"
@@ -112,20 +113,11 @@ void PairDisc::settings(int narg, char** arg) {
   warn_of_foreign_springs();
 }
 
-namespace {
-
-// Naming a protected member in an explicit template instantiation: see engine_access.cpp.
 struct StylesInRestart {
-  using Type = char** Modify::*;
-  friend Type member(StylesInRestart);
+  friend auto member(StylesInRestart);
 };
-template <class Tag, typename Tag::Type Member>
-struct Grant {
-  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
-};
-template struct Grant<StylesInRestart, &Modify::style_restart_peratom>;
 
-}  // namespace
+template struct PrivateMember<StylesInRestart, &Modify::style_restart_peratom>;
 
 /// For a restart file of a run under another law: no fix of ours reads its springs.
 void PairDisc::warn_of_foreign_springs() const {

@@ -7,6 +7,7 @@
 #include "contact_models.h"
 #include "engine/arguments.h"
 #include "engine/engine_access.h"
+#include "engine/private_member.h"
 #include "fix_property_global.h"
 #include "force.h"
 #include "law/law_names.h"
@@ -95,20 +96,16 @@ std::vector<MaterialConstant> PairGranDisc::given_constants() const {
   return given;
 }
 
+// The implementation in the engine's proxy is private.
+struct ProxyImplementation {
+  friend auto member(ProxyImplementation);
+};
+
+template struct PrivateMember<ProxyImplementation, &PairGranProxy::impl>;
+
 namespace {
 
 using Implementation = LIGGGHTS::PairStyles::IGranularPairStyle;
-
-// The implementation in the engine's proxy is private. Access: see engine_access.cpp.
-struct ProxyImplementation {
-  using Type = Implementation* PairGranProxy::*;
-  friend Type member(ProxyImplementation);
-};
-template <class Tag, typename Tag::Type Member>
-struct Grant {
-  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
-};
-template struct Grant<ProxyImplementation, &PairGranProxy::impl>;
 
 Implementation* create_disc_law(LAMMPS* engine, PairGran* parent, int64_t hash) {
   return new PairGranDisc(engine, parent, hash);

@@ -57,19 +57,19 @@ void DiscLaw::begin_run(MaterialTable materials) {
   one_material_ = materials_.is_uniform();
   set_up_complete_ = false;
   find_integrators();
-  skin_.begin_run(style());
+  shared_.skin.begin_run(style());
   record_.begin_run();
   readers_.look_up(*lmp);
-  packed_.may_stay_open = packed_.open = false;
+  shared_.packed.may_be_open = shared_.packed.open = false;
   waiting_.reset();
-  packed_.step = rows_step_ = -1;
+  shared_.packed.step = rows_step_ = -1;
 }
 
 /// Called once per run, when its set-up evaluates forces, rather than on initialisation: the engine also
 /// initialises when it writes a restart file.
 void DiscLaw::complete_set_up(const NeighList& list) {
   set_up_complete_ = true;
-  skin_.check_growth_in_set_up();
+  shared_.skin.check_growth_in_set_up();
   check_discs(*lmp, style(), effects().spring());
   check_time_step(*lmp, list, style(), {effects(), materials_, settings_.impact_velocity()});
   print_line(*lmp, effects_line(effects(), *modify, predicted_));
@@ -78,13 +78,13 @@ void DiscLaw::complete_set_up(const NeighList& list) {
 }
 
 const DiscRow* DiscLaw::evaluated_row(int i) const {
-  return rows_step_ == update->ntimestep ? &packed_.discs[i] : nullptr;
+  return rows_step_ == update->ntimestep ? &shared_.packed.discs[i] : nullptr;
 }
 
 double DiscLaw::strongest_contact() const {
   double strongest = 0;
-  for (const auto& pair : lists_.pairs()) {
-    const DiscRow &a = packed_.discs[pair.i], &b = packed_.discs[pair.j];
+  for (const auto& pair : shared_.lists.pairs()) {
+    const DiscRow &a = shared_.packed.discs[pair.i], &b = shared_.packed.discs[pair.j];
     const double overlap = a.radius() + b.radius() - std::hypot(a.x() - b.x(), a.y() - b.y());
     if (overlap <= 0) continue;
     const double k_n = parameters(atom->type[pair.i], atom->type[pair.j]).normal_stiffness;
@@ -98,16 +98,16 @@ double DiscLaw::strongest_contact() const {
 
 void DiscLaw::evaluate(const Evaluation& evaluation) {
   if (!set_up_complete_) complete_set_up(evaluation.list);
-  skipped_.restore(*lmp);
+  shared_.skipped.restore(*lmp);
   // The same on all ranks, even on those without discs.
-  packed_.open = evaluation.is_step && step_may_end_open();
+  shared_.packed.open = evaluation.is_step && step_may_end_open();
   record_.begin_evaluation(evaluation.is_step);
   for (DiscIntegrator* integrator : integrators_) integrator->send_to_ghosts();
   if (atom->nlocal == 0) return;
   update_rows_and_lists(evaluation.list);
   rows_step_ = update->ntimestep;
   const bool observed = record_.is_recording() || evaluation.is_tallied;
-  if (packed_.open && !observed) {
+  if (shared_.packed.open && !observed) {
     waiting_.emplace(evaluation);
   } else {
     run_loop(evaluation, {}, observed);
@@ -116,23 +116,23 @@ void DiscLaw::evaluate(const Evaluation& evaluation) {
 
 /// Brings packed disc data and pair lists up to date with the present positions.
 void DiscLaw::update_rows_and_lists(const NeighList& list) {
-  const bool lists_are_new = neighbor->ago == 0 || !lists_.are_built();
+  const bool lists_are_new = neighbor->ago == 0 || !shared_.lists.are_built();
   // The movers of an open step work on the rows of the owned discs.
-  const bool only_ghosts_moved = packed_.step == update->ntimestep && neighbor->ago != 0;
+  const bool only_ghosts_moved = shared_.packed.step == update->ntimestep && neighbor->ago != 0;
   const int first = only_ghosts_moved ? atom->nlocal : 0;
-  const DiscChange change = packed_.pack(*atom, first, rows_have_spins());
-  for (const DiscIntegrator* integrator : integrators_) integrator->predict(packed_.discs, first);
+  const DiscChange change = shared_.packed.pack(*atom, first, rows_have_spins());
+  for (const DiscIntegrator* integrator : integrators_) integrator->predict(shared_.packed.discs, first);
   if (lists_are_new) {
     const bool springs = effects().spring();
     const ContactHistory history = springs ? contact_history() : ContactHistory{};
-    lists_.rebuild(list, atom->nlocal, springs ? &history : nullptr);
-    skin_.lists_were_built(packed_.discs);
+    shared_.lists.rebuild(list, atom->nlocal, springs ? &history : nullptr);
+    shared_.skin.lists_were_built(shared_.packed.discs);
   } else {
-    skin_.spend(change);
+    shared_.skin.spend(change);
   }
-  if (lists_are_new || packed_.prune_is_due || skin_.inner_list_is_old()) {
-    packed_.prune_is_due = false;
-    lists_.prune(packed_.discs, skin_.begin_inner_list(), packed_.exceed_cache());
+  if (lists_are_new || shared_.packed.prune_is_due || shared_.skin.inner_list_is_old()) {
+    shared_.packed.prune_is_due = false;
+    shared_.lists.prune(shared_.packed.discs, shared_.skin.begin_inner_list(), shared_.packed.exceed_cache());
   }
 }
 
@@ -145,17 +145,17 @@ void DiscLaw::run_loop(const Evaluation& evaluation, const PairLoop::MoveDiscs& 
       observe(evaluation, batch, lane, pair);
     };
   }
-  const auto coincident = loop_.run({packed_, lists_, materials_, one_material_, atom->type, predicted_,
-                                     advances, advances ? update->dt : 0.0},
+  const auto coincident = loop_.run({shared_.packed, shared_.lists, materials_, one_material_, atom->type,
+                                     predicted_, advances, advances ? update->dt : 0.0},
                                     move_discs, observer);
   if (coincident) abort_at_coincident_centres(*coincident);
-  if (effects().spring() && advances) lists_.displacements_changed();
-  if (!packed_.may_stay_open) lists_.write_history();
+  if (effects().spring() && advances) shared_.lists.displacements_changed();
+  if (!shared_.packed.may_be_open) shared_.lists.write_history();
   if (!evaluation.is_step) {
-    std::fill(packed_.loads.begin(), packed_.loads.end(), DiscLoad{});
-  } else if (packed_.open) {
+    std::fill(shared_.packed.loads.begin(), shared_.packed.loads.end(), DiscLoad{});
+  } else if (shared_.packed.open) {
     // Loads of ghosts are computed on their own ranks.
-    std::fill(packed_.loads.begin() + atom->nlocal, packed_.loads.end(), DiscLoad{});
+    std::fill(shared_.packed.loads.begin() + atom->nlocal, shared_.packed.loads.end(), DiscLoad{});
   } else {
     close();
   }
@@ -163,14 +163,15 @@ void DiscLaw::run_loop(const Evaluation& evaluation, const PairLoop::MoveDiscs& 
 
 /// Passes a contact to our own record and to the engine, if they want it.
 void DiscLaw::observe(const Evaluation& evaluation, const physics::ContactBatch& c, int k, int pair) {
-  const auto [i, j] = *lists_.inner().from(pair);
+  const auto [i, j] = *shared_.lists.inner().from(pair);
   if (record_.is_recording()) {
     const double xi = effects().spring() ? c.springs->xi[k] : 0.0;
     record_.add({i, j, c.n_x[k], c.n_y[k], c.overlap[k], {c.f_n[k], c.f_t[k], xi}, c.v_n[k], c.v_t[k]});
   }
   if (evaluation.is_tallied) {
-    const double torque = packed_.discs[i].radius() * c.f_t[k] - c.short_torque[k];
-    tally({i, j, c.d_x[k], c.d_y[k], c.overlap[k], c.f_x[k], c.f_y[k], torque, lists_.history_of(pair)});
+    const double torque = shared_.packed.discs[i].radius() * c.f_t[k] - c.short_torque[k];
+    tally(
+        {i, j, c.d_x[k], c.d_y[k], c.overlap[k], c.f_x[k], c.f_y[k], torque, shared_.lists.history_of(pair)});
   }
 }
 
@@ -187,17 +188,13 @@ void DiscLaw::complete_step(const PairLoop::MoveDiscs& move_discs) {
   if (move_discs) move_discs(atom->nlocal);
 }
 
-void DiscLaw::write_discs_to_engine() {
-  for (int i = 0; i < atom->nlocal; ++i) write_disc_to_engine(i);
-}
-
 void DiscLaw::close() {
   complete_step();
-  if (packed_.step == update->ntimestep) write_discs_to_engine();
-  lists_.write_history();
-  packed_.unload(*atom, rows_have_spins(), skipped_.take_stale_forces());
-  packed_.open = false;
-  packed_.step = -1;
+  if (shared_.packed.step == update->ntimestep) shared_.packed.unpack_owned(*atom, rows_have_spins());
+  shared_.lists.write_history();
+  shared_.packed.unload(*atom, rows_have_spins(), shared_.skipped.take_stale_forces());
+  shared_.packed.open = false;
+  shared_.packed.step = -1;
 }
 
 }  // namespace mikromakro::styles

@@ -29,12 +29,22 @@ namespace mikromakro::styles {
 
 class DiscIntegrator;
 
+/// What the law shares with the fix that integrates the motion of the discs.
+struct SharedStep {
+  explicit SharedStep(LAMMPS_NS::LAMMPS* engine) : skin(engine) {}
+
+  PackedDiscs packed;
+  PairLists lists;
+  SkinBudget skin;  // of the lists
+  SkippedWork skipped;
+};
+
 class DiscLaw : protected LAMMPS_NS::Pointers {
   friend class AddedLoads;
   friend class CarriedDiscs;
 
  public:
-  explicit DiscLaw(LAMMPS_NS::LAMMPS* engine) : Pointers(engine), skin_(engine), record_(engine) {}
+  explicit DiscLaw(LAMMPS_NS::LAMMPS* engine) : Pointers(engine), shared_(engine), record_(engine) {}
   ~DiscLaw() override = default;
   DiscLaw(const DiscLaw&) = delete;
   DiscLaw& operator=(const DiscLaw&) = delete;
@@ -58,17 +68,17 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   /// True if contacts use velocities that are predicted for the time of the positions.
   bool velocities_predicted() const { return predicted_; }
   /// See SkinBudget.
-  double largest_radius(int type) const { return skin_.largest_radius(type); }
+  double largest_radius(int type) const { return shared_.skin.largest_radius(type); }
 
   // The contacts of the last evaluation.
-  const PairLists& pair_lists() const { return lists_; }
+  const PairLists& pair_lists() const { return shared_.lists; }
   /// See ContactRecord.
   const std::vector<AppliedContact>* applied_contacts() const { return record_.contacts(); }
   void warn_of_deep_overlaps() { record_.warn_of_deep_overlaps(style()); }
   /// Memory of pairs and recorded contacts in this class.
-  std::size_t bytes_of_pairs() const { return lists_.bytes() + record_.bytes(); }
+  std::size_t bytes_of_pairs() const { return shared_.lists.bytes() + record_.bytes(); }
   /// Current number of touching pairs on this rank.
-  std::size_t contacts() const { return lists_.contacts(packed_.discs); }
+  std::size_t contacts() const { return shared_.lists.contacts(shared_.packed.discs); }
   /// Largest elastic contact force on this rank [N].
   double strongest_contact() const;
   /// An owned disc as used in this step's contact evaluation; nullptr before the evaluation.
@@ -76,11 +86,11 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
 
   // Open steps (packed_discs.h).
   /// True if the loads of the last force evaluation are in the packed disc data, not in the engine.
-  bool step_is_open() const { return packed_.open; }
+  bool step_is_open() const { return shared_.packed.open; }
   /// True if steps of this run may be open.
-  bool steps_may_be_open() const { return packed_.may_stay_open; }
+  bool steps_may_be_open() const { return shared_.packed.may_be_open; }
   /// True if nothing reads end-of-step data in this step, so that it ends open.
-  bool step_may_end_open() const { return packed_.may_stay_open && !readers_.any_at_present_step(*lmp); }
+  bool step_may_end_open() const { return shared_.packed.may_be_open && !readers_.any_at_present_step(*lmp); }
   /// In an open step, contact forces are not needed until the next step begins; each disc is then moved as
   /// soon as all its contacts have been evaluated, while its row is still in cache. Call before reading
   /// loads; the integrator passes a function that advances all discs with index < before.
@@ -89,15 +99,8 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   /// loads, tangential displacements.
   void close();
 
-  // For the fix that integrates; other fixes use fixes_in_step.h.
-  PackedDiscs& packed_discs(const DiscIntegrator& /*caller*/) { return packed_; }
-  SkippedWork& skipped_work(const DiscIntegrator& /*caller*/) { return skipped_; }
-  void write_discs_to_engine();
-  void write_disc_to_engine(int i) { packed_.unpack(*atom, i, rows_have_spins()); }
-  void write_displacements_to_engine() { lists_.write_history(); }
-  /// See SkinBudget.
-  int steps_lists_stay_valid() { return skin_.steps_lists_stay_valid(packed_); }
-  int steps_inner_list_stays_valid() const { return skin_.steps_inner_list_stays_valid(packed_); }
+  /// For the fix that integrates; other fixes use fixes_in_step.h.
+  SharedStep& shared_step(const DiscIntegrator& /*caller*/) { return shared_; }
 
  protected:
   /// One call of the engine's pair style.
@@ -139,13 +142,10 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   LawSettings settings_;
   MaterialTable materials_;
   bool one_material_ = false;  // the same constants for all pairs of types
-  PackedDiscs packed_;
-  PairLists lists_;
-  SkinBudget skin_;
+  SharedStep shared_;
   PairLoop loop_;
   ContactRecord record_;
   EndOfStepReaders readers_;
-  SkippedWork skipped_;
   std::vector<DiscIntegrator*> integrators_;
   bool predicted_ = false;  // by all integrators
   bool set_up_complete_ = false;

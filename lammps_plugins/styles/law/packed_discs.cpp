@@ -60,6 +60,10 @@ void PackedDiscs::unpack(Atom& atom, int i, bool spins) const {
   if (spins) atom.omega[i][2] = disc.motion[2];
 }
 
+void PackedDiscs::unpack_owned(Atom& atom, bool spins) const {
+  for (int i = 0; i < atom.nlocal; ++i) unpack(atom, i, spins);
+}
+
 void PackedDiscs::unload(Atom& atom, bool spins, bool overwrite) {
   auto* f = reinterpret_cast<Vector3*>(atom.f[0]);
   auto* torque = reinterpret_cast<Vector3*>(atom.torque[0]);

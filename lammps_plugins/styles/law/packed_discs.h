@@ -28,7 +28,7 @@ struct DiscChange {
 struct PackedDiscs {
   std::vector<physics::DiscRow> discs;   // owned, then ghosts
   std::vector<physics::DiscLoad> loads;  // sums over contacts
-  bool may_stay_open = false;            // in this run; set by the integrator
+  bool may_be_open = false;              // in this run; set by the integrator
   bool open = false;                     // the last step's loads are here, not in the engine
   LAMMPS_NS::bigint step = -1;           // step in which movers wrote the rows of owned discs
   double furthest = 0;                   // largest displacement in that step [m]
@@ -42,8 +42,9 @@ struct PackedDiscs {
   /// Packs the discs, owned or ghost, from index `first` on. `spins`: with their spins, otherwise 0. The
   /// returned change is meaningful only if indices are unchanged.
   DiscChange pack(const LAMMPS_NS::Atom& atom, int first, bool spins);
-  /// Writes position and velocity of an owned disc to the engine's arrays.
+  /// Writes position and velocity of an owned disc, or of all, to the engine's arrays.
   void unpack(LAMMPS_NS::Atom& atom, int i, bool spins) const;
+  void unpack_owned(LAMMPS_NS::Atom& atom, bool spins) const;
   /// Adds the loads of the owned discs to the engine's forces and torques, and clears them for the next step.
   /// `overwrite`: the engine has not cleared its forces in this step.
   void unload(LAMMPS_NS::Atom& atom, bool spins, bool overwrite);

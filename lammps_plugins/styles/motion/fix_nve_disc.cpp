@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "motion/fix_nve_disc.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <string>
-
-#include <mpi.h>
 
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "engine/arguments.h"
 #include "engine/engine_access.h"
-#include "engine/processor_clones.h"
 #include "error.h"
 #include "law/disc_law.h"
 #include "law/open_steps.h"
@@ -80,9 +75,9 @@ void FixNveDisc::init() {
   prediction_ = Prediction::none;
   next_check_ = 0;
   law_ = active_disc_law(*lmp);
-  packed_ = law_ ? &law_->packed_discs(*this) : nullptr;
+  shared_ = law_ ? &law_->shared_step(*this) : nullptr;
   predicts_ = law_ && predicted_ && law_->velocities_predicted();
-  if (packed_) packed_->may_stay_open = predicts_ && fused_ && steps_may_be_open(*lmp, *this);
+  if (shared_) shared_->packed.may_be_open = predicts_ && fused_ && steps_may_be_open(*lmp, *this);
 }
 
 /// The engine sorts and exchanges atoms before the first step.
@@ -92,7 +87,7 @@ void FixNveDisc::setup_pre_exchange() {
 
 void FixNveDisc::initial_integrate(int /*vflag*/) {
   resume_last_run();
-  if (packed_ && packed_->open) {
+  if (shared_ && shared_->packed.open) {
     begin_fused_step();
   } else {
     begin_step();
@@ -149,105 +144,6 @@ void FixNveDisc::predict(std::vector<physics::DiscRow>& rows, int first) const {
   }
 }
 
-/// At the first step that ends in the open state: stores mid-step velocities, from which the next step
-/// begins.
-void FixNveDisc::store_half_steps() {
-  for (int i = 0; i < atom->nlocal; ++i) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    const double kick = update->dt / 2 / atom->rmass[i];
-    half_steps_[i].values = Four{atom->v[i][0], atom->v[i][1], atom->omega[i][2], kick};
-    spin_kicks_[i] = 2 * kick / (atom->radius[i] * atom->radius[i]);
-  }
-  half_steps_pending_ = true;
-}
-
-namespace {
-
-struct OpenStep {
-  const int* members;
-  int count;
-  double dt;
-  Four* half_steps;
-  const double* spin_kicks;
-  physics::DiscRow* discs;
-  physics::DiscLoad* loads;
-  int next = 0;        // of the members
-  double fastest = 0;  // largest squared velocity of the members moved so far
-};
-
-/// Moves the members with index below `before`: final half-kick of the previous step, first half-kick and
-/// drift of this step, and the velocity predicted for its end. Same arithmetic as end_step() and
-/// begin_step().
-FOR_EACH_PROCESSOR void move_discs(OpenStep& step, int before) {
-  const Four drift = {step.dt, step.dt, 0, 0};
-  double fastest = step.fastest;
-  int k = step.next;
-  for (; k < step.count && step.members[k] < before; ++k) {
-    const int i = step.members[k];
-    auto& disc = step.discs[i];
-    auto& load = step.loads[i];
-    const double radius = disc.radius(), kick = step.half_steps[i][3];
-    const Four dv =
-        Four{kick, kick, step.spin_kicks[i], 0} * Four{load.f_x(), load.f_y(), load.torque(radius), 0};
-    const Four half = step.half_steps[i] + dv + dv;
-    step.half_steps[i] = half;
-    disc.place += drift * half;
-    const Four now = half + dv;
-    disc.set_motion(now[0], now[1], now[2]);
-    load = {};
-    fastest = std::max(fastest, half[0] * half[0] + half[1] * half[1]);
-  }
-  step.next = k;
-  step.fastest = fastest;
-}
-
-}  // namespace
-
-/// As begin_step(), with fused half-kicks from the packed disc data.
-void FixNveDisc::begin_fused_step() {
-  if (!members_known_) find_members();
-  static_assert(sizeof(OfDisc) == sizeof(Four));
-  OpenStep step{members_.data(),      static_cast<int>(members_.size()),
-                update->dt,           &half_steps_.data()->values,
-                spin_kicks_.data(),   packed_->discs.data(),
-                packed_->loads.data()};
-  law_->complete_step([&step](int before) { move_discs(step, before); });
-  // Whether carried by a ring or immobile.
-  for (const int i : others_) packed_->loads[i] = {};
-  packed_->furthest = std::max(packed_->furthest, std::sqrt(step.fastest) * step.dt);
-  packed_->step = update->ntimestep;
-}
-
-/// True if no disc on any rank can have moved beyond half the skin of the neighbour list. Also decides
-/// whether the inner list is to be pruned, in the same step on all ranks, since a rank pruning alone would
-/// keep the others waiting. The MPI_Allreduce costs as much as some hundred discs, so its result is reused
-/// for up to four steps, less than a collision takes. Within these an elastic collision at most doubles the
-/// largest speed, and discs released from rest, which move by 1, 3, 5, 7, 9 in equal steps, average six times
-/// the first displacement over the last four. On a single rank the check is repeated in every step.
-bool FixNveDisc::lists_stay_valid() {
-  if (update->ntimestep < next_check_) return true;
-  int steps[] = {law_->steps_lists_stay_valid(), law_->steps_inner_list_stays_valid()};
-  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, steps, 2, MPI_INT, MPI_MIN, world);
-  packed_->prune_is_due = steps[1] == 0;
-  next_check_ = update->ntimestep + std::clamp(std::min(steps[0], steps[1]), 1, comm->nprocs > 1 ? 4 : 1);
-  return steps[0] > 0;
-}
-
-/// All discs have moved, and the engine is about to check whether neighbour lists must be rebuilt. If they
-/// cannot be due, its search over all discs is skipped; if they may be, discs and tangential displacements
-/// must be in its arrays. The clearing of forces is skipped too if nothing reads them.
-void FixNveDisc::post_integrate() {
-  if (!packed_ || !packed_->open) return;
-  if (!lists_stay_valid() || build_is_due(*lmp)) {
-    law_->write_discs_to_engine();
-    law_->write_displacements_to_engine();
-  } else {
-    for (const int i : with_ghosts_) law_->write_disc_to_engine(i);
-    law_->skipped_work(*this).skip_list_check(*lmp);
-  }
-  if (law_->step_may_end_open()) law_->skipped_work(*this).skip_clearing(*lmp);
-}
-
 /// Discs are about to change indices and ranks.
 void FixNveDisc::pre_exchange() {
   members_known_ = false;
@@ -255,7 +151,7 @@ void FixNveDisc::pre_exchange() {
 
 void FixNveDisc::final_integrate() {
   prediction_ = Prediction::none;
-  if (!packed_ || !packed_->open) {
+  if (!shared_ || !shared_->packed.open) {
     end_step();
   } else if (!half_steps_pending_) {
     store_half_steps();
@@ -280,7 +176,7 @@ void FixNveDisc::end_step() {
 
 /// A signal, a time limit or `fix halt` may have ended the run unexpectedly, in the open state.
 void FixNveDisc::post_run() {
-  if (packed_ && packed_->open) {
+  if (shared_ && shared_->packed.open) {
     law_->close();
     law_->copy_histories_to_atoms();
     end_step();

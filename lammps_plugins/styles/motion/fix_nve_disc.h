@@ -13,7 +13,7 @@
 namespace mikromakro::styles {
 
 class DiscLaw;
-struct PackedDiscs;
+struct SharedStep;
 
 /// fix ID group nve/disc [velocity predicted | half_step] [fused on | off]
 ///
@@ -92,7 +92,7 @@ class FixNveDisc : public FixOfEngine, public DiscIntegrator {
   bool predicted_ = true, fused_ = true;
   bool predicts_ = false;  // in this run: the disc law uses predictions
   DiscLaw* law_ = nullptr;
-  PackedDiscs* packed_ = nullptr;
+  SharedStep* shared_ = nullptr;  // of the law
   // How predict() uses the stored values of each disc, owned or ghost. none: not between the two half-kicks
   // of a step; differences: within a step, added to v_x, v_y and the spin; velocities: in the set-up of a
   // continued run, replace them.

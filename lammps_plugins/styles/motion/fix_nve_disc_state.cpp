@@ -47,15 +47,16 @@ void FixNveDisc::note_end_of_step() {
   step_complete_ = true;
   const bool may_be_kept = update->ntimestep == update->laststep || is_asked_to_stop() ||
                            writes_restart_at(*lmp, update->ntimestep);
-  if (!may_be_kept || !law_ || packed_->discs.size() < static_cast<std::size_t>(atom->nlocal)) return;
-  last_forces_.store_velocities(packed_->discs.data(), law_->rows_have_spins());
+  if (!may_be_kept || !law_ || shared_->packed.discs.size() < static_cast<std::size_t>(atom->nlocal)) return;
+  last_forces_.store_velocities(shared_->packed.discs.data(), law_->rows_have_spins());
   velocities_step_ = update->ntimestep;
 }
 
 void FixNveDisc::keep_last_forces() {
-  if (!step_complete_ || !law_ || packed_->discs.size() < static_cast<std::size_t>(atom->nlocal)) return;
+  if (!step_complete_ || !law_ || shared_->packed.discs.size() < static_cast<std::size_t>(atom->nlocal))
+    return;
   if (velocities_step_ != update->ntimestep)
-    last_forces_.store_velocities(packed_->discs.data(), law_->rows_have_spins());
+    last_forces_.store_velocities(shared_->packed.discs.data(), law_->rows_have_spins());
   last_forces_.store_discs();
 }
 

@@ -48,7 +48,7 @@ FixWallDisc::FixWallDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) : FixW
   clock_ = physics::StepClock(0.0, update->ntimestep, update->dt);
   walls_.add(first_id, settings_.wall.shape == WallShape::flat ? "plane" : "circle", settings_.type);
   walls_.act_on(groupbit, 0);
-  copy_histories_to_atoms();
+  store_springs_with_atoms();
 }
 
 // Called after the restart state, if any, has been read.
@@ -80,7 +80,7 @@ void FixWallDisc::init() {
 
 // Discs interact with the wall itself only, not with periodic images of it.
 void FixWallDisc::check_periodic_images(const SmoothWall& wall) const {
-  const double reach = wall.radius + largest_radius_;
+  const double extent = wall.radius + largest_radius_;
   const bool flat = wall.shape == WallShape::flat;
   const auto check = [&](bool periodic, double normal, double point, int axis) {
     if (!periodic) return;
@@ -89,12 +89,12 @@ void FixWallDisc::check_periodic_images(const SmoothWall& wall) const {
       stop(*lmp, style,
            "plane: expected a normal without a component along " + name +
                ", in which the box is periodic, got " + text_of(-normal));
-    if (!flat && (point - reach < domain->boxlo[axis] || point + reach > domain->boxhi[axis]))
+    if (!flat && (point - extent < domain->boxlo[axis] || point + extent > domain->boxhi[axis]))
       stop(*lmp, style,
            "circle: expected it, and discs at it, inside the box along " + name +
                ", in which the box is periodic: from " + text_of(domain->boxlo[axis]) + " to " +
-               text_of(domain->boxhi[axis]) + ", got " + text_of(point - reach) + " to " +
-               text_of(point + reach));
+               text_of(domain->boxhi[axis]) + ", got " + text_of(point - extent) + " to " +
+               text_of(point + extent));
   };
   check(domain->xperiodic != 0, wall.outward.x, wall.point.x, 0);
   check(domain->yperiodic != 0, wall.outward.y, wall.point.y, 1);

@@ -40,7 +40,7 @@ FixBiaxial2d::FixBiaxial2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : FixWi
   walls_.act_on(groupbit, 0);
   reset_references();
 
-  copy_histories_to_atoms();
+  store_springs_with_atoms();
 }
 
 int FixBiaxial2d::calls_wanted() const {
