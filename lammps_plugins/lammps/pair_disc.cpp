@@ -4,7 +4,6 @@
 #include <mpi.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "atom.h"
@@ -16,12 +15,11 @@
 #include "error.h"
 #include "fix_disc_history.h"
 #include "force.h"
-#include "law/law_names.h"
 #include "memory.h"
 #include "modify.h"
 #include "neigh_request.h"
 #include "neighbor.h"
-#include "physics/contact/contact_energy.h"
+#include "pair_disc_constants.h"
 #include "update.h"
 #include "utils.h"
 
@@ -29,24 +27,8 @@ namespace mikromakro::styles {
 
 using namespace LAMMPS_NS;
 using physics::ContactParameters;
-using physics::Tangential;
 
 namespace {
-
-struct Constant {
-  const char *keyword, *symbol;
-  const char* name;  // name in snapshots, the same for all engines
-  double ContactParameters::*member;
-  bool positive;
-};
-
-// In the order of PairDisc::Coefficients.
-constexpr std::array<Constant, 5> table = {
-    {{"kn", "k_n", "kn", &ContactParameters::normal_stiffness, true},
-     {"gamman", "gamma_n [kg/s]", "gamman_abs", &ContactParameters::normal_damping, false},
-     {"kt", "k_t [N/m]", "kt", &ContactParameters::tangential_stiffness, true},
-     {"gammat", "gamma_t [kg/s]", "gammat_abs", &ContactParameters::tangential_damping, false},
-     {"mu", "mu [-]", "coefficientFriction", &ContactParameters::friction, false}}};
 
 std::string types_text(const std::string& i, const std::string& j) {
   return "pair_coeff " + i + " " + j;
@@ -145,10 +127,11 @@ void PairDisc::coeff(int narg, char** arg) {
   Arguments arguments(*lmp, law_.style() + ": " + types_text(arg[0], arg[1]), narg, arg, 2);
   Coefficients given;
   while (arguments.more()) {
-    const auto constant = std::find_if(table.begin(), table.end(),
-                                       [&](const Constant& c) { return arguments.take_once(c.keyword); });
-    if (constant == table.end()) arguments.unexpected("kn, gamman, kt, gammat or mu");
-    given[constant - table.begin()] = arguments.not_negative(constant->keyword);
+    const auto constant =
+        std::find_if(constants_of_pair.begin(), constants_of_pair.end(),
+                     [&](const ConstantOfPair& c) { return arguments.take_once(c.keyword); });
+    if (constant == constants_of_pair.end()) arguments.unexpected("kn, gamman, kt, gammat or mu");
+    given[constant - constants_of_pair.begin()] = arguments.not_negative(constant->keyword);
   }
   int count = 0;
   for (int i = i_low; i <= i_high; ++i) {
@@ -187,11 +170,11 @@ ContactParameters PairDisc::parameters(int i, int j) const {
   const std::string pair = types_text(std::to_string(i), std::to_string(j));
   if (!setflag[i][j]) law_.fail("expected '" + pair + " ...': constants of two types are not mixed");
   ContactParameters p;
-  for (std::size_t k = 0; k < table.size(); ++k) {
-    const auto& [keyword, symbol, name, member, positive] = table[k];
+  for (std::size_t k = 0; k < constants_of_pair.size(); ++k) {
+    const auto& [keyword, symbol, name, member, positive] = constants_of_pair[k];
     const auto& value = coefficients_(i, j)[k];
     if (value) p.*member = *value;
-    if (!is_needed(table[k].member, law_.effects())) continue;
+    if (!is_needed(constants_of_pair[k].member, law_.effects())) continue;
     if (!value)
       law_.fail(pair + " needs the constant " + symbol + "; expected '" + pair + " ... " + keyword +
                 " VALUE'");
@@ -215,45 +198,6 @@ double PairDisc::init_one(int i, int j) {
 void PairDisc::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   law_.evaluate({*list, true, update->setupflag == 0, evflag != 0});
-}
-
-const AppliedContact* PairDisc::contact_of(int i, int j) {
-  if (contacts_step_ != update->ntimestep) {
-    const auto* applied = law_.applied_contacts();
-    if (!applied)
-      error->one(FLERR, (law_.style() + ": contacts of this step were not kept; expected their compute to be "
-                                        "defined before the run")
-                            .c_str());
-    contacts_.clear();
-    for (const AppliedContact& contact : *applied) contacts_[{contact.i, contact.j}] = &contact;
-    contacts_step_ = update->ntimestep;
-  }
-  const auto found = contacts_.find({i, j});
-  return found == contacts_.end() ? nullptr : found->second;
-}
-
-double PairDisc::elastic_energy(const AppliedContact& c) const {
-  const physics::ContactState state{c.overlap, 0, 0, 0,
-                                    physics::reduced_radius(atom->radius[c.i], atom->radius[c.j])};
-  const ContactParameters& p = law_.parameters(atom->type[c.i], atom->type[c.j]);
-  return physics::with_law(law_.effects().normal,
-                           [&](auto law) { return law.energy(p.normal_stiffness, state); });
-}
-
-double PairDisc::single(int i, int j, int /*type_i*/, int /*type_j*/, double distance_square,
-                        double /*factor_coulomb*/, double /*factor_lj*/, double& force_over_distance) {
-  std::fill_n(svector, single_extra, 0.0);
-  force_over_distance = 0;
-  const AppliedContact* there = contact_of(i, j);
-  const AppliedContact* back = there ? nullptr : contact_of(j, i);
-  if (!there && !back) return 0;
-  const AppliedContact& c = there ? *there : *back;
-  const double side = there ? 1 : -1;
-  force_over_distance = c.force.f_n / std::sqrt(distance_square);
-  svector[0] = -side * c.force.f_t * c.n_y;
-  svector[1] = side * c.force.f_t * c.n_x;
-  svector[3] = std::abs(c.force.f_t);
-  return elastic_energy(c);
 }
 
 void PairDisc::write_restart(FILE* file) {
@@ -289,67 +233,6 @@ void PairDisc::turn_history(const double* from, double* to) {
 
 double PairDisc::memory_usage() {
   return static_cast<double>(law_.bytes_of_pairs());
-}
-
-PairDisc::Law::Law(PairDisc& pair, LAMMPS* engine, physics::Normal normal)
-    : DiscLaw(engine), pair_(pair), normal_(normal) {
-  law_settings().reset(normal_, Tangential::none);
-}
-
-std::string PairDisc::Law::style() const {
-  return std::string("pair_style ") + physics::name_of(normal_);
-}
-
-void PairDisc::Law::read(int narg, char** arg) {
-  require_two_dimensions();
-  law_settings().reset(normal_, Tangential::none);
-  Arguments arguments(*lmp, style(), narg, arg);
-  while (arguments.more()) {
-    if (law_settings().take(arguments)) continue;
-    if (!arguments.take_once("tangential"))
-      arguments.unexpected(std::string("tangential, damping, tangential_damping, limitForce") +
-                           (physics::depends_on_velocity(normal_) ? ", impact_velocity" : "") +
-                           " or the end of the command");
-    const auto names = tangential_names();
-    const auto named =
-        std::find_if(names.begin(), names.end(), [&](const auto& name) { return arguments.take(name); });
-    if (named == names.end()) arguments.unexpected("tangential " + alternatives(names));
-    law_settings().set_tangential(*tangential_named(*named));
-  }
-  law_settings().finish(arguments);
-  use_settings();
-}
-
-/// The constants given in the script for all pairs of types.
-std::vector<MaterialConstant> PairDisc::Law::given_constants() const {
-  std::vector<MaterialConstant> all;
-  const int types = atom->ntypes;
-  for (std::size_t k = 0; k < table.size(); ++k) {
-    const std::array<const char*, constants> units = {
-        physics::with_law(normal_, [](auto law) { return law.unit_of_stiffness; }), "kg/s", "N/m", "kg/s",
-        ""};
-    MaterialConstant constant{table[k].name, units[k], {}};
-    for (int i = 1; i <= types; ++i) {
-      for (int j = 1; j <= types; ++j) {
-        const auto& value = pair_.coefficients_(std::min(i, j), std::max(i, j))[k];
-        if (value) constant.values.push_back(*value);
-      }
-    }
-    if (constant.values.size() == static_cast<std::size_t>(types) * types) all.push_back(std::move(constant));
-  }
-  return all;
-}
-
-void PairDisc::Law::copy_histories_to_atoms() {
-  if (pair_.history_) pair_.history_->pre_exchange();
-}
-
-ContactHistory PairDisc::Law::contact_history() {
-  return {pair_.history_->firstflag, pair_.history_->firstvalue, history_size};
-}
-
-void PairDisc::Law::tally(const TalliedContact& c) {
-  pair_.ev_tally_xyz(c.i, c.j, atom->nlocal, 0, 0.0, 0.0, c.f_x, c.f_y, 0.0, -c.d_x, -c.d_y, 0.0);
 }
 
 }  // namespace mikromakro::styles

@@ -101,8 +101,8 @@ template <Effects effects>
 }
 
 /// Prefetches rows and loads of upcoming pairs.
-[[gnu::always_inline]] inline void fetch_discs(const DiscRow* discs, const DiscLoad* loads,
-                                               const DiscPair* pairs, int count) {
+[[gnu::always_inline]] inline void prefetch_discs(const DiscRow* discs, const DiscLoad* loads,
+                                                  const DiscPair* pairs, int count) {
   for (int k = 0; k < count; ++k) {
     __builtin_prefetch(&discs[pairs[k].j]);
     __builtin_prefetch(&loads[pairs[k].j], 1);
@@ -117,7 +117,7 @@ template <Effects effects>
   int k = 0;
   for (; k + 4 <= count; k += 4) {
     load_four_pairs<effects>(c, k, discs, {pairs[k], pairs[k + 1], pairs[k + 2], pairs[k + 3]});
-    if (k < ahead) fetch_discs(discs, loads, pairs + count + k, std::min(4, ahead - k));
+    if (k < ahead) prefetch_discs(discs, loads, pairs + count + k, std::min(4, ahead - k));
   }
   const int last = count - 1;
   for (; k < padded(count); k += 4) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "law/contact_rows.h"
+#include "law/contact_schedule.h"
 #include "physics/contact/contact_state.h"
 #include "pointers.h"
 

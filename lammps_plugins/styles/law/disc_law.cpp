@@ -141,8 +141,9 @@ void DiscLaw::run_loop(const Evaluation& evaluation, const PairLoop::MoveDiscs& 
   const bool advances = evaluation.is_step && evaluation.advances_displacements && update->whichflag == 1;
   PairLoop::Observer observer;
   if (observed) {
-    observer = [&](const physics::ContactBatch& batch, int lane, int pair) {
-      observe(evaluation, batch, lane, pair);
+    observer = [&](const physics::ContactBatch& batch, int first, int count) {
+      for (int k = 0; k < count; ++k)
+        if (batch.touches(k)) observe(evaluation, batch, k, first + k);
     };
   }
   const auto coincident = loop_.run({shared_.packed, shared_.lists, materials_, one_material_, atom->type,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What fixes may do within a step, in the open state (packed_discs.h) and out of it. Making one of these
-// objects completes the contacts of the step, so loads and rows cannot be reached before they are whole.
+// What fixes may do within a step, open (packed_discs.h) or closed. Constructing one of these objects
+// completes the contacts of the step, so that loads and rows cannot be accessed before they are complete.
 #pragma once
 
 #include "law/packed_discs.h"

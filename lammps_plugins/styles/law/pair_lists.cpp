@@ -14,10 +14,10 @@ using physics::DiscRow;
 
 namespace {
 
-FOR_EACH_PROCESSOR void find_near(physics::NearPairs& near, const std::vector<DiscPair>& all,
-                                  const DiscRow* discs, const std::vector<char>& touched, double gap,
-                                  std::size_t ahead) {
-  near.find(all, discs, touched, gap, ahead);
+FOR_EACH_PROCESSOR void prune_pairs(physics::InnerList& near, const std::vector<DiscPair>& all,
+                                    const DiscRow* discs, const std::vector<char>& touched, double gap,
+                                    std::size_t ahead) {
+  near.prune(all, discs, touched, gap, ahead);
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ void PairLists::rebuild(const LAMMPS_NS::NeighList& list, int nlocal, const Cont
 
 void PairLists::prune(const std::vector<DiscRow>& discs, double gap, bool prefetch) {
   write_history();
-  find_near(inner_, pairs_, discs.data(), in_contact_, gap, prefetch ? ContactBatch::lanes : 0);
+  prune_pairs(inner_, pairs_, discs.data(), in_contact_, gap, prefetch ? ContactBatch::lanes : 0);
   if (histories_.empty()) return;
   for (int k = 0; k < inner_.size(); ++k) {
     const int number = inner_.number(k);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "physics/contact/contact_batch.h"
-#include "physics/contact/near_pairs.h"
+#include "physics/contact/inner_list.h"
 
 namespace LAMMPS_NS {
 class NeighList;
@@ -39,7 +39,7 @@ class PairLists {
   void prune(const std::vector<physics::DiscRow>& discs, double gap, bool prefetch);
 
   const std::vector<physics::DiscPair>& pairs() const { return pairs_; }
-  physics::NearPairs& inner() { return inner_; }
+  physics::InnerList& inner() { return inner_; }
   /// True if pairs are sorted by their first disc i, and i < j: no pair involves a disc before the first disc
   /// of an earlier pair.
   bool are_sorted() const { return sorted_; }
@@ -68,7 +68,7 @@ class PairLists {
   int** flags_ = nullptr;
   std::vector<double*> histories_;
   std::vector<char> in_contact_;
-  physics::NearPairs inner_;
+  physics::InnerList inner_;
   bool history_is_behind_ = false;
 };
 

@@ -66,7 +66,7 @@ void change_contacts(ContactBatch& c, const PairPass& pass, int first, int count
 template <Effects effects, bool observed>
 std::optional<DiscPair> run_pass(ContactBatch& c, const PairPass& pass, const PairLoop::MoveDiscs& move_discs,
                                  const PairLoop::Observer& observer) {
-  physics::NearPairs& near = pass.lists.inner();
+  physics::InnerList& near = pass.lists.inner();
   const bool exceed_cache = pass.packed.exceed_cache();
   const bool may_move = move_discs && pass.lists.are_sorted();
   physics::SpringLanes unmoved;
@@ -86,17 +86,13 @@ std::optional<DiscPair> run_pass(ContactBatch& c, const PairPass& pass, const Pa
     if (effects.spring()) {
       c.springs = &near.springs(first);
       if (!pass.advances_displacements) c.springs = &(unmoved = *c.springs);
-      near.fetch_springs(first + count, ahead);
+      near.prefetch_springs(first + count, ahead);
     }
     const auto state = batch_geometry<effects>(c, batch);
     if (state.any_undefined) return coincident_pair(c, batch.pairs);
     if (state.any_changed) change_contacts(c, pass, first, count);
     batch_forces<effects>(c, batch);
-    if constexpr (observed) {
-      for (int k = 0; k < count; ++k) {
-        if (c.touches(k)) observer(c, k, first + k);
-      }
-    }
+    if constexpr (observed) observer(c, first, count);
     // The following pairs involve no disc before the first disc of the next pair.
     if (may_move && first + count < near.size()) move_discs(batch.pairs[count].i);
   }

@@ -32,8 +32,9 @@ class PairLoop {
  public:
   /// Called with the index of a disc: no contact of a disc with a smaller index is still to come.
   using MoveDiscs = std::function<void(int before)>;
-  /// Called for each touching pair, after its force: its lane of the batch, its index in the inner list.
-  using Observer = std::function<void(const physics::ContactBatch& batch, int lane, int pair)>;
+  /// Called for each batch, after its forces: pairs `first` to `first + count - 1` of the inner list are in
+  /// lanes 0 to `count - 1`.
+  using Observer = std::function<void(const physics::ContactBatch& batch, int first, int count)>;
 
   void choose_instance(const physics::Effects& effects);
   /// `move_discs` and `observer` may be empty. Returns nothing, or the pair that ended the pass early: two

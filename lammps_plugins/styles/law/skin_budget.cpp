@@ -16,7 +16,7 @@
 #include "engine/processor_clones.h"
 #include "modify.h"
 #include "neighbor.h"
-#include "physics/contact/near_pairs.h"
+#include "physics/contact/inner_list.h"
 
 namespace mikromakro::styles {
 
@@ -163,7 +163,7 @@ int SkinBudget::steps_lists_stay_valid(const PackedDiscs& packed) {
 
 double SkinBudget::begin_inner_list() {
   if (inner_steps_ > 0) fastest_path_ = inner_path_ / inner_steps_;
-  inner_gap_ = physics::near_gap(fastest_path_, neighbor->skin);
+  inner_gap_ = physics::inner_gap(fastest_path_, neighbor->skin);
   inner_path_ = 0;
   inner_steps_ = 0;
   return inner_gap_;

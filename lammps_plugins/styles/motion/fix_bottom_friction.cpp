@@ -69,7 +69,7 @@ double FixBottomFriction::apply() {
 /// A continued run uses the power of the last step, whose velocities were predicted.
 void FixBottomFriction::setup(int /*vflag*/) {
   const double power = apply();
-  if (!goes_on_) power_ = power;
+  if (!continues_) power_ = power;
 }
 
 /// Energy by the trapezoidal rule from the power at both ends of the step.
@@ -77,7 +77,7 @@ void FixBottomFriction::post_force(int /*vflag*/) {
   const double before = power_;
   power_ = apply();
   energy_ += (before + power_) / 2 * update->dt;
-  goes_on_ = true;
+  continues_ = true;
 }
 
 double FixBottomFriction::sum_of_all_ranks(double value) const {
@@ -109,7 +109,7 @@ void FixBottomFriction::restart(char* buffer) {
   if (comm->me != 0) state.fill(0.0);
   power_ = state[0];
   energy_ = state[1];
-  goes_on_ = true;
+  continues_ = true;
 }
 
 }  // namespace mikromakro::styles

@@ -174,7 +174,7 @@ void FixNveDisc::end_step() {
   note_end_of_step();
 }
 
-/// A signal, a time limit or `fix halt` may have ended the run unexpectedly, in the open state.
+/// A signal, a time limit or `fix halt` may have ended the run unexpectedly, with an open step.
 void FixNveDisc::post_run() {
   if (shared_ && shared_->packed.open) {
     law_->close();

@@ -102,7 +102,7 @@ class FixNveDisc : public FixOfEngine, public DiscIntegrator {
     physics::Four values;
   };
   std::vector<OfDisc> predictions_;
-  // Per owned atom, between steps in the open state: v_x, v_y [m/s] and spin [1/s] at mid-step; dt / 2m,
+  // Per owned atom, between open steps: v_x, v_y [m/s] and spin [1/s] at mid-step; dt / 2m,
   // which turns a force into a half-kick; and dt / 2I.
   static constexpr int size_of_half_step = 5, size_of_prediction = 3;  // doubles sent to another rank
   static constexpr int size_for_ghosts = size_of_prediction + 1;

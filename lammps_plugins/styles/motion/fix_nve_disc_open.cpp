@@ -17,7 +17,7 @@ namespace mikromakro::styles {
 
 using physics::Four;
 
-/// At the first step that ends in the open state: stores mid-step velocities, from which the next step
+/// At the first step that ends open: stores mid-step velocities, from which the next step
 /// begins.
 void FixNveDisc::store_half_steps() {
   for (int i = 0; i < atom->nlocal; ++i) {

@@ -24,6 +24,7 @@
 #include "dialect.h"
 #include "law/agreement.h"
 #include "law/contact_rows.h"
+#include "law/contact_schedule.h"
 #include "law/disc_law.h"
 #include "options/average_options.h"
 #include "output/output_names.h"

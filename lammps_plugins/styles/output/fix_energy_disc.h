@@ -22,6 +22,7 @@
 
 #include "dialect.h"
 #include "law/contact_rows.h"
+#include "law/contact_schedule.h"
 #include "physics/contact/contact_law.h"
 
 namespace mikromakro::styles {

@@ -161,7 +161,7 @@ double FixWallDisc::apply() {
 // A continued run uses the power of the last step, whose velocities were predicted.
 void FixWallDisc::setup(int /*vflag*/) {
   const double power = apply();
-  if (!goes_on_) power_ = power;
+  if (!continues_) power_ = power;
 }
 
 // Work by the trapezoidal rule from the power at both ends of the step.
@@ -170,7 +170,7 @@ void FixWallDisc::post_force(int /*vflag*/) {
   const double before = power_;
   power_ = apply();
   work_ += (before + power_) / 2 * update->dt;
-  goes_on_ = true;
+  continues_ = true;
 }
 
 double FixWallDisc::sum_of_all_ranks(double value) const {
@@ -233,7 +233,7 @@ void FixWallDisc::restart(char* buffer) {
   start_ = state.start;
   start_time_ = state.start_time;
   if (comm->me == 0) power_ = state.power, work_ = state.work;
-  goes_on_ = true;
+  continues_ = true;
   if (state.wall == settings_.wall) return;
   // A new motion starts from the wall's present position.
   const SmoothWall given = settings_.wall;

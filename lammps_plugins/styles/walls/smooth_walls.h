@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "law/contact_rows.h"
+#include "law/contact_schedule.h"
 #include "physics/contact/contact_law.h"
 #include "physics/walls/smooth_wall.h"
 #include "pointers.h"

@@ -68,7 +68,7 @@ void FixBiaxial2d::setup(int) {
   sum_forces();
   for (int side = 0; side < 4; ++side) {
     Wall& wall = box_[side];
-    if (wall.goes_on) continue;
+    if (wall.continues) continue;
     wall.previous_pressing = wall.pressing;
     if (wall.control.kind == Kind::stress)
       wall.motion.acceleration =
@@ -124,7 +124,7 @@ void FixBiaxial2d::final_integrate() {
     wall.work -= outward[side] * 0.5 * (wall.previous_pressing + wall.pressing) *
                  (wall.motion.position - wall.previous_position);
     wall.previous_pressing = wall.pressing;
-    wall.goes_on = true;
+    wall.continues = true;
   }
 }
 

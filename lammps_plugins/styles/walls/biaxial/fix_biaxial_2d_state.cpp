@@ -39,7 +39,7 @@ void FixBiaxial2d::begin(int side, const WallControl& control) {
   wall.start = wall.motion.position;
   wall.start_time = clock_.time_at(update->ntimestep);
   wall.motion.acceleration = 0.0;
-  wall.goes_on = false;
+  wall.continues = false;
   if (control.kind != Kind::stress) wall.motion.velocity = control.kind == Kind::rate ? control.target : 0.0;
   wall.contact_velocity = wall.motion.velocity;
 }
