@@ -19,7 +19,6 @@
 #include "modify.h"
 #include "neigh_request.h"
 #include "neighbor.h"
-#include "pair_disc_constants.h"
 #include "update.h"
 #include "utils.h"
 
@@ -128,10 +127,10 @@ void PairDisc::coeff(int narg, char** arg) {
   Coefficients given;
   while (arguments.more()) {
     const auto constant =
-        std::find_if(constants_of_pair.begin(), constants_of_pair.end(),
-                     [&](const ConstantOfPair& c) { return arguments.take_once(c.keyword); });
-    if (constant == constants_of_pair.end()) arguments.unexpected("kn, gamman, kt, gammat or mu");
-    given[constant - constants_of_pair.begin()] = arguments.not_negative(constant->keyword);
+        std::find_if(constants_of_law.begin(), constants_of_law.end(),
+                     [&](const ConstantOfLaw& c) { return arguments.take_once(c.keyword); });
+    if (constant == constants_of_law.end()) arguments.unexpected("kn, gamman, kt, gammat or mu");
+    given[constant - constants_of_law.begin()] = arguments.not_negative(constant->keyword);
   }
   int count = 0;
   for (int i = i_low; i <= i_high; ++i) {
@@ -170,15 +169,15 @@ ContactParameters PairDisc::parameters(int i, int j) const {
   const std::string pair = types_text(std::to_string(i), std::to_string(j));
   if (!setflag[i][j]) law_.fail("expected '" + pair + " ...': constants of two types are not mixed");
   ContactParameters p;
-  for (std::size_t k = 0; k < constants_of_pair.size(); ++k) {
-    const auto& [keyword, symbol, name, member, positive] = constants_of_pair[k];
+  for (std::size_t k = 0; k < constants_of_law.size(); ++k) {
+    const ConstantOfLaw& constant = constants_of_law[k];
     const auto& value = coefficients_(i, j)[k];
-    if (value) p.*member = *value;
-    if (!is_needed(constants_of_pair[k].member, law_.effects())) continue;
+    if (value) p.*constant.member = *value;
+    if (!is_needed(constant, law_.effects())) continue;
     if (!value)
-      law_.fail(pair + " needs the constant " + symbol + "; expected '" + pair + " ... " + keyword +
-                " VALUE'");
-    if (positive && *value == 0) law_.fail(pair + ": " + keyword + ": expected > 0, got 0");
+      law_.fail(pair + " needs the constant " + label_of(constant, law_.effects().normal) + "; expected '" +
+                pair + " ... " + constant.keyword + " VALUE'");
+    if (constant.positive && *value == 0) law_.fail(pair + ": " + constant.keyword + ": expected > 0, got 0");
   }
   return p;
 }

@@ -105,9 +105,8 @@ class PairDisc : public WithHistory<LAMMPS_NS::Pair> {
     physics::Normal normal_;
   };
 
-  static constexpr int constants = 5;
-  /// Coefficients of a pair of types: kn, gamman, kt, gammat, mu.
-  using Coefficients = std::array<std::optional<double>, constants>;
+  /// Coefficients of a pair of types, in the order of constants_of_law.
+  using Coefficients = std::array<std::optional<double>, constants_of_law.size()>;
   void allocate();
   physics::ContactParameters parameters(int i, int j) const;
   MaterialTable materials() const;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The disc law of pair_style disc: its arguments, constants and contact history.
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,7 +10,6 @@
 #include "fix_disc_history.h"
 #include "law/law_names.h"
 #include "pair_disc.h"
-#include "pair_disc_constants.h"
 
 namespace mikromakro::styles {
 
@@ -51,11 +49,8 @@ void PairDisc::Law::read(int narg, char** arg) {
 std::vector<MaterialConstant> PairDisc::Law::given_constants() const {
   std::vector<MaterialConstant> all;
   const int types = atom->ntypes;
-  for (std::size_t k = 0; k < constants_of_pair.size(); ++k) {
-    const std::array<const char*, constants> units = {
-        physics::with_law(normal_, [](auto law) { return law.unit_of_stiffness; }), "kg/s", "N/m", "kg/s",
-        ""};
-    MaterialConstant constant{constants_of_pair[k].name, units[k], {}};
+  for (std::size_t k = 0; k < constants_of_law.size(); ++k) {
+    MaterialConstant constant{constants_of_law[k].name, unit_of(constants_of_law[k], normal_), {}};
     for (int i = 1; i <= types; ++i) {
       for (int j = 1; j <= types; ++j) {
         const auto& value = pair_.coefficients_(std::min(i, j), std::max(i, j))[k];

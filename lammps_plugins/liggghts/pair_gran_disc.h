@@ -50,7 +50,7 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, public Dis
  private:
   MaterialTable read_material_constants() const;
   void discard_foreign_springs();
-  std::vector<double> material_constant(const char* name, const std::string& symbol) const;
+  std::vector<double> material_constant(const ConstantOfLaw& constant) const;
 
   int64_t hash_;
   LAMMPS_NS::PairGran* pair_ = nullptr;  // during an evaluation

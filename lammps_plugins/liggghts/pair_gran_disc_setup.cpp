@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Material constants, and registration with the engine's factories.
-#include <array>
 #include <string>
 
 #include "atom.h"
@@ -21,41 +20,22 @@ namespace mikromakro::styles {
 using namespace LAMMPS_NS;
 using physics::Tangential;
 
-namespace {
-
-struct Constant {
-  const char *name, *symbol, *unit;
-  double physics::ContactParameters::*member;
-};
-constexpr std::array<Constant, 5> constants = {
-    {{"kn", "k_n", "", &physics::ContactParameters::normal_stiffness},
-     {"gamman_abs", "gamma_n", "kg/s", &physics::ContactParameters::normal_damping},
-     {"coefficientFriction", "mu", "", &physics::ContactParameters::friction},
-     {"kt", "k_t", "N/m", &physics::ContactParameters::tangential_stiffness},
-     {"gammat_abs", "gamma_t", "kg/s", &physics::ContactParameters::tangential_damping}}};
-
-std::string unit_of(const Constant& constant, physics::Normal normal) {
-  const bool of_law = constant.member == &physics::ContactParameters::normal_stiffness;
-  return of_law ? physics::with_law(normal, [](auto law) { return law.unit_of_stiffness; }) : constant.unit;
-}
-
-}  // namespace
-
-std::vector<double> PairGranDisc::material_constant(const char* name, const std::string& symbol) const {
+std::vector<double> PairGranDisc::material_constant(const ConstantOfLaw& constant) const {
   const int types = atom->ntypes;
+  const std::string name = constant.name;
   auto* fix = dynamic_cast<FixPropertyGlobal*>(modify->find_fix_property(
-      name, "property/global", "peratomtypepair", types, types, "pair_style gran", false));
+      constant.name, "property/global", "peratomtypepair", types, types, "pair_style gran", false));
   if (!fix) {
-    fail(std::string("needs the material constant ") + symbol + "; expected 'fix ID all property/global " +
-         name + " peratomtypepair " + std::to_string(types) + " ...' with one value for each pair of types");
+    fail("needs the material constant " + label_of(constant, effects().normal) +
+         "; expected 'fix ID all property/global " + name + " peratomtypepair " + std::to_string(types) +
+         " ...' with one value for each pair of types");
   }
   std::vector<double> values;
   for (int i = 0; i < types; ++i) {
     for (int j = 0; j < types; ++j) {
       values.push_back(fix->compute_array(i, j));
       if (!(values.back() >= 0)) {
-        fail(std::string("property/global ") + name + ": expected values >= 0, got " +
-             text_of(values.back()));
+        fail("property/global " + name + ": expected values >= 0, got " + text_of(values.back()));
       }
     }
   }
@@ -64,11 +44,9 @@ std::vector<double> PairGranDisc::material_constant(const char* name, const std:
 
 MaterialTable PairGranDisc::read_material_constants() const {
   MaterialTable materials(atom->ntypes);
-  for (const Constant& constant : constants) {
-    if (!is_needed(constant.member, effects())) continue;
-    const std::string unit = unit_of(constant, effects().normal);
-    const auto values =
-        material_constant(constant.name, constant.symbol + (" [" + (unit.empty() ? "-" : unit) + "]"));
+  for (const ConstantOfLaw& constant : constants_of_law) {
+    if (!is_needed(constant, effects())) continue;
+    const auto values = material_constant(constant);
     for (std::size_t k = 0; k < values.size(); ++k) materials.values()[k].*constant.member = values[k];
   }
   for (const auto& p : materials.values()) {
@@ -85,7 +63,7 @@ MaterialTable PairGranDisc::read_material_constants() const {
 std::vector<MaterialConstant> PairGranDisc::given_constants() const {
   const int types = atom->ntypes;
   std::vector<MaterialConstant> given;
-  for (const Constant& constant : constants) {
+  for (const ConstantOfLaw& constant : constants_of_law) {
     auto* fix = dynamic_cast<FixPropertyGlobal*>(modify->find_fix_property(
         constant.name, "property/global", "peratomtypepair", types, types, "snapshot/disc", false));
     if (!fix) continue;

@@ -49,8 +49,8 @@ bool LawSettings::take(Arguments& arguments) {
 void LawSettings::finish(const Arguments& arguments) {
   if (tangential_damping_ && !effects_.spring())
     arguments.fail(
-        "'tangential_damping on': expected 'tangential disc/cundall_strack', beside whose spring the dashpot "
-        "is");
+        "'tangential_damping on': expected 'tangential disc/cundall_strack': the dashpot is parallel to its "
+        "spring");
   if (effects_.spring())
     effects_.tangential = tangential_damping_ ? Tangential::damped_spring : Tangential::spring;
 }

@@ -3,13 +3,24 @@
 
 namespace mikromakro::styles {
 
-bool is_needed(double physics::ContactParameters::*constant, const physics::Effects& effects) {
-  using P = physics::ContactParameters;
-  if (constant == &P::normal_damping) return effects.normal_dashpot;
-  if (constant == &P::friction) return effects.tangential != physics::Tangential::none;
-  if (constant == &P::tangential_stiffness) return physics::has_spring(effects.tangential);
-  if (constant == &P::tangential_damping) return physics::has_dashpot(effects.tangential);
+using P = physics::ContactParameters;
+
+bool is_needed(const ConstantOfLaw& constant, const physics::Effects& effects) {
+  if (constant.member == &P::normal_damping) return effects.normal_dashpot;
+  if (constant.member == &P::friction) return effects.tangential != physics::Tangential::none;
+  if (constant.member == &P::tangential_stiffness) return physics::has_spring(effects.tangential);
+  if (constant.member == &P::tangential_damping) return physics::has_dashpot(effects.tangential);
   return true;
+}
+
+std::string unit_of(const ConstantOfLaw& constant, physics::Normal normal) {
+  if (constant.member != &P::normal_stiffness) return constant.unit;
+  return physics::with_law(normal, [](auto law) { return law.unit_of_stiffness; });
+}
+
+std::string label_of(const ConstantOfLaw& constant, physics::Normal normal) {
+  const std::string unit = unit_of(constant, normal);
+  return std::string(constant.symbol) + " [" + (unit.empty() ? "-" : unit) + "]";
 }
 
 }  // namespace mikromakro::styles

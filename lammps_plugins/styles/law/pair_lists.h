@@ -50,7 +50,7 @@ class PairLists {
 
   /// Pair k of the inner list begins or ends its contact, with zero tangential displacement; slip rate [m/s].
   void change_contact(int k, bool touches, double slip_rate);
-  /// The displacements of the inner list have changed; the engine's history is behind.
+  /// The displacements of the inner list have changed and are not yet in the engine's history.
   void displacements_changed() { history_is_behind_ = true; }
   /// Writes them to the engine's history.
   void write_history();

@@ -157,15 +157,15 @@ void FixAveMicromacro::warn_of_constants() const {
   warn_of("coefficientFriction", "mu", options_.fields.numbers.friction_coefficient);
 }
 
-void FixAveMicromacro::warn_of(const std::string& name, const std::string& keyword, double told) const {
+void FixAveMicromacro::warn_of(const std::string& name, const std::string& keyword, double given) const {
   constexpr double digits = 1e-6;
-  if (told == 0) return;
+  if (given == 0) return;
   for (const MaterialConstant& constant : active_disc_law(*lmp)->given_constants()) {
     if (constant.name != name) continue;
     const bool hertz = constant.unit == "N/m^2";
     for (const double value : constant.values) {
-      if (!hertz && std::abs(value - told) <= digits * told) continue;
-      std::string text = std::string("fix ") + id + " (" + style + "): " + keyword + " " + text_of(told);
+      if (!hertz && std::abs(value - given) <= digits * given) continue;
+      std::string text = std::string("fix ") + id + " (" + style + "): " + keyword + " " + text_of(given);
       text += hertz ? " N/m is used, but the law is Hertzian, whose kn is in N/m^2"
                     : " is used, but the law has " + text_of(value) +
                           ", by types perhaps: fields that take it are those of the first";
@@ -191,12 +191,12 @@ void FixAveMicromacro::end_of_step() {
   ++waiting_;
   if (update->ntimestep % write_every_ != 0) return;
   waiting_ = 0;
-  told_when_ = false;
+  announced_ = false;
 }
 
 void FixAveMicromacro::run_ended() {
-  if (waiting_ == 0 || told_when_) return;
-  told_when_ = true;
+  if (waiting_ == 0 || announced_) return;
+  announced_ = true;
   const LAMMPS_NS::bigint next = (update->ntimestep / write_every_ + 1) * write_every_;
   print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + std::to_string(waiting_) +
                        " frames are in no table yet: Nfreq = " + std::to_string(write_every_) +
