@@ -25,6 +25,7 @@ struct MaterialConstant {
   }
 };
 
+/// A constant of physics::ContactParameters, as scripts, messages and output files name it.
 struct ConstantOfLaw {
   const char* name;     // in output files and in fix property/global
   const char* keyword;  // of pair_coeff
