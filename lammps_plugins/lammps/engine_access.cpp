@@ -12,6 +12,7 @@
 
 #include "atom.h"
 #include "comm_brick.h"
+#include "engine/private_member.h"
 #include "fix_disc_history.h"
 #include "fix_nve_sphere.h"
 #include "force.h"
@@ -26,49 +27,31 @@ namespace mikromakro::styles {
 
 using namespace LAMMPS_NS;
 
-namespace {
-
-// Naming a private member in an explicit template instantiation is allowed by the standard ([temp.spec]):
-// instantiating Grant<Tag, &Class::member> defines member(Tag), which gives access to the member.
-template <class Tag, typename Tag::Type Member>
-struct Grant {
-  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
-};
-
 struct ExternalForceClear {
-  using Type = int Integrate::*;
-  friend Type member(ExternalForceClear);
+  friend auto member(ExternalForceClear);
 };
 struct SwapCount {
-  using Type = int CommBrick::*;
-  friend Type member(SwapCount);
+  friend auto member(SwapCount);
 };
 struct SendCounts {
-  using Type = int* CommBrick::*;
-  friend Type member(SendCounts);
+  friend auto member(SendCounts);
 };
 struct SendLists {
-  using Type = int** CommBrick::*;
-  friend Type member(SendLists);
+  friend auto member(SendLists);
 };
-
 struct MustCheck {
-  using Type = int Neighbor::*;
-  friend Type member(MustCheck);
+  friend auto member(MustCheck);
 };
 struct TriggerSquare {
-  using Type = double Neighbor::*;
-  friend Type member(TriggerSquare);
+  friend auto member(TriggerSquare);
 };
 
-template struct Grant<TriggerSquare, &Neighbor::triggersq>;
-template struct Grant<MustCheck, &Neighbor::must_check>;
-template struct Grant<ExternalForceClear, &Integrate::external_force_clear>;
-template struct Grant<SwapCount, &CommBrick::nswap>;
-template struct Grant<SendCounts, &CommBrick::sendnum>;
-template struct Grant<SendLists, &CommBrick::sendlist>;
-
-}  // namespace
+template struct PrivateMember<TriggerSquare, &Neighbor::triggersq>;
+template struct PrivateMember<MustCheck, &Neighbor::must_check>;
+template struct PrivateMember<ExternalForceClear, &Integrate::external_force_clear>;
+template struct PrivateMember<SwapCount, &CommBrick::nswap>;
+template struct PrivateMember<SendCounts, &CommBrick::sendnum>;
+template struct PrivateMember<SendLists, &CommBrick::sendlist>;
 
 const char* const disc_pair_style = "pair_style disc/linear ...";
 const char* const law_styles[] = {"Pair styles:", "tangential"};

@@ -4,7 +4,6 @@
 #include <mpi.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "atom.h"
@@ -12,15 +11,14 @@
 #include "engine/arguments.h"
 #include "engine/engine_access.h"
 #include "engine/first_rank.h"
+#include "engine/private_member.h"
 #include "error.h"
 #include "fix_disc_history.h"
 #include "force.h"
-#include "law/law_names.h"
 #include "memory.h"
 #include "modify.h"
 #include "neigh_request.h"
 #include "neighbor.h"
-#include "physics/contact/contact_energy.h"
 #include "update.h"
 #include "utils.h"
 
@@ -28,24 +26,8 @@ namespace mikromakro::styles {
 
 using namespace LAMMPS_NS;
 using physics::ContactParameters;
-using physics::Tangential;
 
 namespace {
-
-struct Constant {
-  const char *keyword, *symbol;
-  const char* name;  // name in snapshots, the same for all engines
-  double ContactParameters::*member;
-  bool positive;
-};
-
-// In the order of PairDisc::Coefficients.
-constexpr std::array<Constant, 5> table = {
-    {{"kn", "k_n", "kn", &ContactParameters::normal_stiffness, true},
-     {"gamman", "gamma_n [kg/s]", "gamman_abs", &ContactParameters::normal_damping, false},
-     {"kt", "k_t [N/m]", "kt", &ContactParameters::tangential_stiffness, true},
-     {"gammat", "gamma_t [kg/s]", "gammat_abs", &ContactParameters::tangential_damping, false},
-     {"mu", "mu [-]", "coefficientFriction", &ContactParameters::friction, false}}};
 
 std::string types_text(const std::string& i, const std::string& j) {
   return "pair_coeff " + i + " " + j;
@@ -100,15 +82,7 @@ void PairDisc::allocate() {
   memory->create(setflag, types + 1, types + 1, "pair:setflag");
   memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
   for (int i = 1; i <= types; ++i) std::fill_n(&setflag[i][1], types, 0);
-  coefficients_.assign(static_cast<std::size_t>(types) * types, {});
-}
-
-PairDisc::Coefficients& PairDisc::coefficients(int i, int j) {
-  return coefficients_[static_cast<std::size_t>(i - 1) * atom->ntypes + j - 1];
-}
-
-const PairDisc::Coefficients& PairDisc::coefficients(int i, int j) const {
-  return coefficients_[static_cast<std::size_t>(i - 1) * atom->ntypes + j - 1];
+  coefficients_ = TypePairTable<Coefficients>(types);
 }
 
 void PairDisc::settings(int narg, char** arg) {
@@ -117,32 +91,24 @@ void PairDisc::settings(int narg, char** arg) {
     modify->replace_fix(history_id, std::string(dummy_id) + " all DUMMY", 1);
     history_ = nullptr;
   }
-  tell_of_foreign_springs();
+  warn_of_foreign_springs();
 }
 
-namespace {
-
-// Naming a protected member in an explicit template instantiation: see engine_access.cpp.
 struct StylesInRestart {
-  using Type = char** Modify::*;
-  friend Type member(StylesInRestart);
+  friend auto member(StylesInRestart);
 };
-template <class Tag, typename Tag::Type Member>
-struct Grant {
-  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
-};
-template struct Grant<StylesInRestart, &Modify::style_restart_peratom>;
 
-}  // namespace
+template struct PrivateMember<StylesInRestart, &Modify::style_restart_peratom>;
 
 /// For a restart file of a run under another law: no fix of ours reads its springs.
-void PairDisc::tell_of_foreign_springs() const {
+void PairDisc::warn_of_foreign_springs() const {
   if (!law_.effects().spring()) return;
   for (int k = 0; k < modify->nfix_restart_peratom; ++k) {
     if (std::string("NEIGH_HISTORY") != (modify->*member(StylesInRestart{}))[k]) continue;
-    tell(*lmp,
-         "WARNING: " + law_.style() +
-             ": the restart file holds springs of another law: they are left out, and springs begin at zero");
+    print_line(
+        *lmp,
+        "WARNING: " + law_.style() +
+            ": the restart file holds springs of another law: they are left out, and springs begin at zero");
   }
 }
 
@@ -160,16 +126,17 @@ void PairDisc::coeff(int narg, char** arg) {
   Arguments arguments(*lmp, law_.style() + ": " + types_text(arg[0], arg[1]), narg, arg, 2);
   Coefficients given;
   while (arguments.more()) {
-    const auto constant = std::find_if(table.begin(), table.end(),
-                                       [&](const Constant& c) { return arguments.take_once(c.keyword); });
-    if (constant == table.end()) arguments.unexpected("kn, gamman, kt, gammat or mu");
-    given[constant - table.begin()] = arguments.not_negative(constant->keyword);
+    const auto constant =
+        std::find_if(constants_of_law.begin(), constants_of_law.end(),
+                     [&](const ConstantOfLaw& c) { return arguments.take_once(c.keyword); });
+    if (constant == constants_of_law.end()) arguments.unexpected("kn, gamman, kt, gammat or mu");
+    given[constant - constants_of_law.begin()] = arguments.not_negative(constant->keyword);
   }
   int count = 0;
   for (int i = i_low; i <= i_high; ++i) {
     for (int j = std::max(i, j_low); j <= j_high; ++j, ++count) {
       setflag[i][j] = 1;
-      coefficients(i, j) = given;
+      coefficients_(i, j) = given;
     }
   }
   if (count == 0) arguments.fail("expected types I <= J");
@@ -187,13 +154,13 @@ void PairDisc::init_style() {
   if (comm->ghost_velocity == 0) law_.fail("needs 'comm_modify vel yes'");
   request_list(*neighbor, this, instance_me, law_.effects().spring());
   provide_history();
-  law_.begin_run(parameters());
+  law_.begin_run(materials());
 }
 
 void PairDisc::provide_history() {
   if (history_ || !law_.effects().spring()) return;
   const std::string command =
-      std::string(history_id) + " all NEIGH_HISTORY/DISC " + std::to_string(Law::history_size);
+      std::string(history_id) + " all NEIGH_HISTORY/DISC " + std::to_string(history_size);
   history_ = dynamic_cast<FixDiscHistory*>(modify->replace_fix(dummy_id, command, 1));
   history_->pair = this;
 }
@@ -202,28 +169,23 @@ ContactParameters PairDisc::parameters(int i, int j) const {
   const std::string pair = types_text(std::to_string(i), std::to_string(j));
   if (!setflag[i][j]) law_.fail("expected '" + pair + " ...': constants of two types are not mixed");
   ContactParameters p;
-  for (std::size_t k = 0; k < table.size(); ++k) {
-    const auto& [keyword, symbol, name, member, positive] = table[k];
-    const auto& value = coefficients(i, j)[k];
-    if (value) p.*member = *value;
-    if (!is_needed(table[k].member, law_.effects().normal_dashpot, law_.effects().tangential)) continue;
+  for (std::size_t k = 0; k < constants_of_law.size(); ++k) {
+    const ConstantOfLaw& constant = constants_of_law[k];
+    const auto& value = coefficients_(i, j)[k];
+    if (value) p.*constant.member = *value;
+    if (!is_needed(constant, law_.effects())) continue;
     if (!value)
-      law_.fail(pair + " needs the constant " + symbol + "; expected '" + pair + " ... " + keyword +
-                " VALUE'");
-    if (positive && *value == 0) law_.fail(pair + ": " + keyword + ": expected > 0, got 0");
+      law_.fail(pair + " needs the constant " + label_of(constant, law_.effects().normal) + "; expected '" +
+                pair + " ... " + constant.keyword + " VALUE'");
+    if (constant.positive && *value == 0) law_.fail(pair + ": " + constant.keyword + ": expected > 0, got 0");
   }
   return p;
 }
 
-std::vector<ContactParameters> PairDisc::parameters() const {
-  const int types = atom->ntypes;
-  std::vector<ContactParameters> all(static_cast<std::size_t>(types) * types);
-  for (int i = 1; i <= types; ++i) {
-    for (int j = i; j <= types; ++j) {
-      all[static_cast<std::size_t>(i - 1) * types + j - 1] = parameters(i, j);
-      all[static_cast<std::size_t>(j - 1) * types + i - 1] = parameters(i, j);
-    }
-  }
+MaterialTable PairDisc::materials() const {
+  MaterialTable all(atom->ntypes);
+  for (int i = 1; i <= all.types(); ++i)
+    for (int j = i; j <= all.types(); ++j) all(i, j) = all(j, i) = parameters(i, j);
   return all;
 }
 
@@ -237,137 +199,39 @@ void PairDisc::compute(int eflag, int vflag) {
   law_.evaluate({*list, true, update->setupflag == 0, evflag != 0});
 }
 
-const AppliedContact* PairDisc::contact_of(int i, int j) {
-  if (contacts_step_ != update->ntimestep) {
-    const auto* applied = law_.applied_contacts();
-    if (!applied)
-      error->one(FLERR, (law_.style() + ": contacts of this step were not kept; expected their compute to be "
-                                        "defined before the run")
-                            .c_str());
-    contacts_.clear();
-    for (const AppliedContact& contact : *applied) contacts_[{contact.i, contact.j}] = &contact;
-    contacts_step_ = update->ntimestep;
-  }
-  const auto found = contacts_.find({i, j});
-  return found == contacts_.end() ? nullptr : found->second;
-}
-
-double PairDisc::elastic_energy(const AppliedContact& c) const {
-  const physics::ContactState state{c.overlap, 0, 0, 0,
-                                    physics::reduced_radius(atom->radius[c.i], atom->radius[c.j])};
-  const ContactParameters& p = law_.parameters(atom->type[c.i], atom->type[c.j]);
-  return physics::with_law(law_.effects().normal,
-                           [&](auto law) { return law.energy(p.normal_stiffness, state); });
-}
-
-double PairDisc::single(int i, int j, int /*type_i*/, int /*type_j*/, double distance_square,
-                        double /*factor_coulomb*/, double /*factor_lj*/, double& force_over_distance) {
-  std::fill_n(svector, single_extra, 0.0);
-  force_over_distance = 0;
-  const AppliedContact* there = contact_of(i, j);
-  const AppliedContact* back = there ? nullptr : contact_of(j, i);
-  if (!there && !back) return 0;
-  const AppliedContact& c = there ? *there : *back;
-  const double side = there ? 1 : -1;
-  force_over_distance = c.force.f_n / std::sqrt(distance_square);
-  svector[0] = -side * c.force.f_t * c.n_y;
-  svector[1] = side * c.force.f_t * c.n_x;
-  svector[3] = std::abs(c.force.f_t);
-  return elastic_energy(c);
-}
-
 void PairDisc::write_restart(FILE* file) {
-  law_.write_settings(file, restart_key);
+  law_.law_settings().write(file, restart_key);
   for (int i = 1; i <= atom->ntypes; ++i) {
     for (int j = i; j <= atom->ntypes; ++j) {
       std::fwrite(&setflag[i][j], sizeof(int), 1, file);
-      std::fwrite(&coefficients(i, j), sizeof(Coefficients), 1, file);
+      std::fwrite(&coefficients_(i, j), sizeof(Coefficients), 1, file);
     }
   }
 }
 
 void PairDisc::read_restart(FILE* file) {
-  law_.read_settings(file, restart_key);
+  law_.law_settings().read(*lmp, law_.style(), file, restart_key);
+  law_.use_settings();
   if (!allocated) allocate();
   for (int i = 1; i <= atom->ntypes; ++i) {
     for (int j = i; j <= atom->ntypes; ++j) {
       if (comm->me == 0) {
         utils::sfread(FLERR, &setflag[i][j], sizeof(int), 1, file, nullptr, error);
-        utils::sfread(FLERR, &coefficients(i, j), sizeof(Coefficients), 1, file, nullptr, error);
+        utils::sfread(FLERR, &coefficients_(i, j), sizeof(Coefficients), 1, file, nullptr, error);
       }
       MPI_Bcast(&setflag[i][j], 1, MPI_INT, 0, world);
-      MPI_Bcast(&coefficients(i, j), sizeof(Coefficients), MPI_BYTE, 0, world);
+      MPI_Bcast(&coefficients_(i, j), sizeof(Coefficients), MPI_BYTE, 0, world);
     }
   }
 }
 
 /// The partner disc has the same spring: its sign does not depend on the order of the discs.
 void PairDisc::turn_history(const double* from, double* to) {
-  std::copy_n(from, Law::history_size, to);
+  std::copy_n(from, history_size, to);
 }
 
 double PairDisc::memory_usage() {
   return static_cast<double>(law_.bytes_of_pairs());
-}
-
-PairDisc::Law::Law(PairDisc& pair, LAMMPS* engine, physics::Normal normal)
-    : DiscLaw(engine), pair_(pair), normal_(normal) {
-  forget_settings(normal_, Tangential::none);
-}
-
-std::string PairDisc::Law::style() const {
-  return std::string("pair_style ") + physics::name_of(normal_);
-}
-
-void PairDisc::Law::read(int narg, char** arg) {
-  require_two_dimensions();
-  forget_settings(normal_, Tangential::none);
-  Arguments arguments(*lmp, style(), narg, arg);
-  while (arguments.more()) {
-    if (take_setting(arguments)) continue;
-    if (!arguments.take_once("tangential"))
-      arguments.unexpected(std::string("tangential, damping, tangential_damping, limitForce") +
-                           (physics::depends_on_velocity(normal_) ? ", impact_velocity" : "") +
-                           " or the end of the command");
-    const auto names = tangential_names();
-    const auto named =
-        std::find_if(names.begin(), names.end(), [&](const auto& name) { return arguments.take(name); });
-    if (named == names.end()) arguments.unexpected("tangential " + alternatives(names));
-    set_tangential(*tangential_named(*named));
-  }
-  use_settings();
-}
-
-/// The constants given in the script for all pairs of types.
-std::vector<MaterialConstant> PairDisc::Law::given_constants() const {
-  std::vector<MaterialConstant> all;
-  const int types = atom->ntypes;
-  for (std::size_t k = 0; k < table.size(); ++k) {
-    const std::array<const char*, constants> units = {
-        physics::with_law(normal_, [](auto law) { return law.unit_of_stiffness; }), "kg/s", "N/m", "kg/s",
-        ""};
-    MaterialConstant constant{table[k].name, units[k], {}};
-    for (int i = 1; i <= types; ++i) {
-      for (int j = 1; j <= types; ++j) {
-        const auto& value = pair_.coefficients(std::min(i, j), std::max(i, j))[k];
-        if (value) constant.values.push_back(*value);
-      }
-    }
-    if (constant.values.size() == static_cast<std::size_t>(types) * types) all.push_back(std::move(constant));
-  }
-  return all;
-}
-
-void PairDisc::Law::keep_springs_with_atoms() {
-  if (pair_.history_) pair_.history_->pre_exchange();
-}
-
-DiscLaw::History PairDisc::Law::history() {
-  return {pair_.history_->firstflag, pair_.history_->firstvalue, history_size};
-}
-
-void PairDisc::Law::tell_engine(const ObservedContact& c) {
-  pair_.ev_tally_xyz(c.i, c.j, atom->nlocal, 0, 0.0, 0.0, c.f_x, c.f_y, 0.0, -c.d_x, -c.d_y, 0.0);
 }
 
 }  // namespace mikromakro::styles

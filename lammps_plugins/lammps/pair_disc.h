@@ -86,36 +86,32 @@ class PairDisc : public WithHistory<LAMMPS_NS::Pair> {
     Law(PairDisc& pair, LAMMPS_NS::LAMMPS* engine, physics::Normal normal);
     std::string style() const override;
     std::vector<MaterialConstant> given_constants() const override;
-    void keep_springs_with_atoms() override;
+    void copy_histories_to_atoms() override;
     void read(int narg, char** arg);
 
     using DiscLaw::begin_run;
     using DiscLaw::evaluate;
     using DiscLaw::fail;
-    using DiscLaw::history_size;
-    using DiscLaw::read_settings;
+    using DiscLaw::law_settings;
     using DiscLaw::require_two_dimensions;
-    using DiscLaw::write_settings;
+    using DiscLaw::use_settings;
 
    protected:
-    History history() override;
-    void tell_engine(const ObservedContact& contact) override;
+    ContactHistory contact_history() override;
+    void tally(const TalliedContact& contact) override;
 
    private:
     PairDisc& pair_;
     physics::Normal normal_;
   };
 
-  static constexpr int constants = 5;
-  /// Coefficients of a pair of types: kn, gamman, kt, gammat, mu.
-  using Coefficients = std::array<std::optional<double>, constants>;
+  /// Coefficients of a pair of types, in the order of constants_of_law.
+  using Coefficients = std::array<std::optional<double>, constants_of_law.size()>;
   void allocate();
-  Coefficients& coefficients(int i, int j);
-  const Coefficients& coefficients(int i, int j) const;
   physics::ContactParameters parameters(int i, int j) const;
-  std::vector<physics::ContactParameters> parameters() const;
+  MaterialTable materials() const;
   void provide_history();
-  void tell_of_foreign_springs() const;
+  void warn_of_foreign_springs() const;
 
   const AppliedContact* contact_of(int i, int j);
   double elastic_energy(const AppliedContact& contact) const;
@@ -124,7 +120,7 @@ class PairDisc : public WithHistory<LAMMPS_NS::Pair> {
   std::map<std::pair<int, int>, const AppliedContact*> contacts_;  // of this step, by ordered pair (i, j)
   LAMMPS_NS::bigint contacts_step_ = -1;
   FixDiscHistory* history_ = nullptr;
-  std::vector<Coefficients> coefficients_;  // of types i, j at (i - 1) * types + j - 1, for i <= j
+  TypePairTable<Coefficients> coefficients_;  // of types i <= j
 };
 
 }  // namespace mikromakro::styles

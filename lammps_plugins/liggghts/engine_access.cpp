@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// LIGGGHTS 3.8 has no plugin command, and its style tables are private or protected. Naming a private member
-// in an explicit template instantiation is allowed by the standard ([temp.spec]), so no header needs to be
-// changed.
+// LIGGGHTS 3.8 has no plugin command, and its style tables are private or protected.
 #include "engine/engine_access.h"
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "engine/private_member.h"
 #include "integrate.h"
 #include "lammps.h"
 #include "neighbor.h"
@@ -20,71 +19,48 @@
 #include "update.h"
 
 namespace mikromakro::styles {
-namespace {
-
-// Instantiating Grant<Tag, &Class::member> defines member(Tag), which gives access to the private member.
-template <class Tag, typename Tag::Type Member>
-struct Grant {
-  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
-};
 
 struct FixMap {
-  using Type = std::map<std::string, FixCreator>* LAMMPS_NS::Modify::*;
-  friend Type member(FixMap);
+  friend auto member(FixMap);
 };
 struct ComputeMap {
-  using Type = std::map<std::string, ComputeCreator>* LAMMPS_NS::Modify::*;
-  friend Type member(ComputeMap);
+  friend auto member(ComputeMap);
 };
 struct CommandMap {
-  using Type = std::map<std::string, CommandCreator>* LAMMPS_NS::Input::*;
-  friend Type member(CommandMap);
+  friend auto member(CommandMap);
 };
-
 struct ExternalForceClear {
-  using Type = int LAMMPS_NS::Integrate::*;
-  friend Type member(ExternalForceClear);
+  friend auto member(ExternalForceClear);
 };
 struct SwapCount {
-  using Type = int LAMMPS_NS::Comm::*;
-  friend Type member(SwapCount);
+  friend auto member(SwapCount);
 };
 struct SendCounts {
-  using Type = int* LAMMPS_NS::Comm::*;
-  friend Type member(SendCounts);
+  friend auto member(SendCounts);
 };
 struct SendLists {
-  using Type = int** LAMMPS_NS::Comm::*;
-  friend Type member(SendLists);
+  friend auto member(SendLists);
 };
-
 struct TriggerSquare {
-  using Type = double LAMMPS_NS::Neighbor::*;
-  friend Type member(TriggerSquare);
+  friend auto member(TriggerSquare);
 };
-
 struct MustCheck {
-  using Type = int LAMMPS_NS::Neighbor::*;
-  friend Type member(MustCheck);
+  friend auto member(MustCheck);
 };
-
 struct NextRestart {
-  using Type = LAMMPS_NS::bigint LAMMPS_NS::Output::*;
-  friend Type member(NextRestart);
+  friend auto member(NextRestart);
 };
 
-template struct Grant<TriggerSquare, &LAMMPS_NS::Neighbor::triggersq>;
-template struct Grant<MustCheck, &LAMMPS_NS::Neighbor::must_check>;
-template struct Grant<NextRestart, &LAMMPS_NS::Output::next_restart>;
-template struct Grant<ExternalForceClear, &LAMMPS_NS::Integrate::external_force_clear>;
-template struct Grant<SwapCount, &LAMMPS_NS::Comm::nswap>;
-template struct Grant<SendCounts, &LAMMPS_NS::Comm::sendnum>;
-template struct Grant<SendLists, &LAMMPS_NS::Comm::sendlist>;
-template struct Grant<FixMap, &LAMMPS_NS::Modify::fix_map>;
-template struct Grant<ComputeMap, &LAMMPS_NS::Modify::compute_map>;
-template struct Grant<CommandMap, &LAMMPS_NS::Input::command_map>;
-
-}  // namespace
+template struct PrivateMember<TriggerSquare, &LAMMPS_NS::Neighbor::triggersq>;
+template struct PrivateMember<MustCheck, &LAMMPS_NS::Neighbor::must_check>;
+template struct PrivateMember<NextRestart, &LAMMPS_NS::Output::next_restart>;
+template struct PrivateMember<ExternalForceClear, &LAMMPS_NS::Integrate::external_force_clear>;
+template struct PrivateMember<SwapCount, &LAMMPS_NS::Comm::nswap>;
+template struct PrivateMember<SendCounts, &LAMMPS_NS::Comm::sendnum>;
+template struct PrivateMember<SendLists, &LAMMPS_NS::Comm::sendlist>;
+template struct PrivateMember<FixMap, &LAMMPS_NS::Modify::fix_map>;
+template struct PrivateMember<ComputeMap, &LAMMPS_NS::Modify::compute_map>;
+template struct PrivateMember<CommandMap, &LAMMPS_NS::Input::command_map>;
 
 std::map<std::string, FixCreator>& fix_styles(LAMMPS_NS::Modify& modify) {
   return *(modify.*member(FixMap{}));

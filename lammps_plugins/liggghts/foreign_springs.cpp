@@ -4,6 +4,7 @@
 
 #include "engine/arguments.h"
 #include "engine/first_rank.h"
+#include "engine/private_member.h"
 #include "modify.h"
 #include "pair_gran_disc.h"
 
@@ -11,28 +12,21 @@ namespace mikromakro::styles {
 
 using LAMMPS_NS::Modify;
 
-namespace {
-
-// Access to private members: see engine_access.cpp.
-template <class Tag, typename Tag::Type Member>
-struct Grant {
-  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
-};
 struct GlobalIds {
-  using Type = char** Modify::*;
-  friend Type member(GlobalIds);
+  friend auto member(GlobalIds);
 };
 struct GlobalStates {
-  using Type = char** Modify::*;
-  friend Type member(GlobalStates);
+  friend auto member(GlobalStates);
 };
 struct AtomIds {
-  using Type = char** Modify::*;
-  friend Type member(AtomIds);
+  friend auto member(AtomIds);
 };
-template struct Grant<GlobalIds, &Modify::id_restart_global>;
-template struct Grant<GlobalStates, &Modify::state_restart_global>;
-template struct Grant<AtomIds, &Modify::id_restart_peratom>;
+
+template struct PrivateMember<GlobalIds, &Modify::id_restart_global>;
+template struct PrivateMember<GlobalStates, &Modify::state_restart_global>;
+template struct PrivateMember<AtomIds, &Modify::id_restart_peratom>;
+
+namespace {
 
 const char* const springs_id = "contacthistory";
 
@@ -45,7 +39,7 @@ void leave_aside(char* id) {
 
 /// Prevents the engine from stopping the run with its own message. The number of values per spring is stored
 /// in the file.
-void PairGranDisc::leave_foreign_springs() {
+void PairGranDisc::discard_foreign_springs() {
   if (!effects().spring()) return;
   Modify& engine = *modify;
   for (int k = 0; k < engine.nfix_restart_global; ++k) {
@@ -58,8 +52,9 @@ void PairGranDisc::leave_foreign_springs() {
       char* of_atoms = (engine.*member(AtomIds{}))[m];
       if (std::strcmp(of_atoms, springs_id) == 0) leave_aside(of_atoms);
     }
-    tell(*DiscLaw::lmp, "WARNING: " + style() + ": the restart file holds springs of another law, " +
-                            text_of(numbers) + " numbers each: they are left out, and springs begin at zero");
+    print_line(*DiscLaw::lmp, "WARNING: " + style() + ": the restart file holds springs of another law, " +
+                                  text_of(numbers) +
+                                  " numbers each: they are left out, and springs begin at zero");
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "contact_models.h"
 #include "engine/arguments.h"
+#include "engine/private_member.h"
 #include "force.h"
 #include "granular_pair_style.h"
 #include "granular_wall.h"
@@ -22,6 +23,19 @@ namespace mikromakro::styles {
 using LAMMPS_NS::Custom_contact_models;
 using LAMMPS_NS::LAMMPS;
 namespace models = LIGGGHTS::ContactModels;
+
+// The engine's factory tables are private, and the public function for replacing an entry prints a message.
+using PairFactory = LIGGGHTS::Utils::AbstractFactory<LIGGGHTS::PairStyles::IGranularPairStyle>;
+using WallFactory = LIGGGHTS::Utils::AbstractFactory<LIGGGHTS::Walls::IGranularWall>;
+struct PairSelectors {
+  friend auto member(PairSelectors);
+};
+struct WallSelectors {
+  friend auto member(WallSelectors);
+};
+
+template struct PrivateMember<PairSelectors, &PairFactory::variantSelectorTable>;
+template struct PrivateMember<WallSelectors, &WallFactory::variantSelectorTable>;
 
 namespace {
 
@@ -107,26 +121,6 @@ LIGGGHTS::Walls::IGranularWall* refuse_wall(LAMMPS* engine, LAMMPS_NS::FixWallGr
        "or "
        "'... circle X Y R inside/outside'");
 }
-
-// The engine's factory tables are private, and the public function for replacing an entry prints a message.
-// Access: see engine_access.cpp.
-using Selectors = std::map<std::string, int64_t (*)(int&, char**&, Custom_contact_models)>;
-using PairFactory = LIGGGHTS::Utils::AbstractFactory<LIGGGHTS::PairStyles::IGranularPairStyle>;
-using WallFactory = LIGGGHTS::Utils::AbstractFactory<LIGGGHTS::Walls::IGranularWall>;
-struct PairSelectors {
-  using Type = Selectors PairFactory::*;
-  friend Type member(PairSelectors);
-};
-struct WallSelectors {
-  using Type = Selectors WallFactory::*;
-  friend Type member(WallSelectors);
-};
-template <class Tag, typename Tag::Type Member>
-struct Grant {
-  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
-};
-template struct Grant<PairSelectors, &PairFactory::variantSelectorTable>;
-template struct Grant<WallSelectors, &WallFactory::variantSelectorTable>;
 
 }  // namespace
 

@@ -33,7 +33,7 @@ Tangential tangential_of(int64_t hash) {
 }  // namespace
 
 PairGranDisc::PairGranDisc(LAMMPS* engine, PairGran* parent, int64_t hash) : DiscLaw(engine), hash_(hash) {
-  forget_settings(normal_of(hash), tangential_of(hash));
+  law_settings().reset(normal_of(hash), tangential_of(hash));
   // Spring and slip rate keep their signs when the particles are swapped, so "0": no sign change between the
   // two copies.
   if (effects().spring()) {
@@ -51,15 +51,17 @@ void PairGranDisc::settings(int narg, char** arg, LIGGGHTS::IContactHistorySetup
   bool absolute_damping = true;
   Arguments arguments(*DiscLaw::lmp, style(), narg, arg);
   while (arguments.more()) {
-    if (take_setting(arguments) || take_switch(arguments, "absolute_damping", absolute_damping)) continue;
+    if (law_settings().take(arguments) || arguments.take_switch("absolute_damping", absolute_damping))
+      continue;
     arguments.unexpected(std::string("damping, tangential_damping, limitForce, absolute_damping") +
                          (physics::depends_on_velocity(effects().normal) ? ", impact_velocity" : "") +
                          " or the end of the command");
   }
   // Accepted for compatibility with the stock law; the disc law has only absolute damping constants.
   if (!absolute_damping) fail("has only 'absolute_damping on' (gamman_abs, gammat_abs)");
+  law_settings().finish(arguments);
   use_settings();
-  leave_foreign_springs();
+  discard_foreign_springs();
 }
 
 void PairGranDisc::init_granular() {
@@ -69,11 +71,12 @@ void PairGranDisc::init_granular() {
 }
 
 void PairGranDisc::write_restart_settings(FILE* file) {
-  write_settings(file, hash_);
+  law_settings().write(file, hash_);
 }
 
 void PairGranDisc::read_restart_settings(FILE* file, int64_t /*hash*/) {
-  read_settings(file, hash_);
+  law_settings().read(*DiscLaw::lmp, style(), file, hash_);
+  use_settings();
 }
 
 int PairGranDisc::get_history_offset(const std::string name) {
@@ -88,18 +91,18 @@ bool PairGranDisc::contact_match(const std::string kind, const std::string model
   return model == "off";
 }
 
-void PairGranDisc::keep_springs_with_atoms() {
+void PairGranDisc::copy_histories_to_atoms() {
   for (LAMMPS_NS::Fix* fix : fixes(*modify))
     if (std::strcmp(fix->style, "contacthistory") == 0) fix->pre_exchange();
 }
 
-DiscLaw::History PairGranDisc::history() {
+ContactHistory PairGranDisc::contact_history() {
   const NeighList& list = *pair_->listgranhistory;
   return {list.firstneigh, list.firstdouble, pair_->dnum()};
 }
 
 /// For `compute pair/gran/local` and the virial.
-void PairGranDisc::tell_engine(const ObservedContact& c) {
+void PairGranDisc::tally(const TalliedContact& c) {
   if (pair_->cpl() && adds_to_compute_) {
     LCM::SurfacesIntersectData data;
     LCM::ForceData force_on_i;

@@ -41,16 +41,16 @@ class PairGranDisc : public LIGGGHTS::PairStyles::IGranularPairStyle, public Dis
 
   std::string style() const override;
   std::vector<MaterialConstant> given_constants() const override;
-  void keep_springs_with_atoms() override;
+  void copy_histories_to_atoms() override;
 
  protected:
-  History history() override;
-  void tell_engine(const ObservedContact& contact) override;
+  ContactHistory contact_history() override;
+  void tally(const TalliedContact& contact) override;
 
  private:
-  std::vector<physics::ContactParameters> read_material_constants() const;
-  void leave_foreign_springs();
-  std::vector<double> material_constant(const char* name, const std::string& symbol) const;
+  MaterialTable read_material_constants() const;
+  void discard_foreign_springs();
+  std::vector<double> material_constant(const ConstantOfLaw& constant) const;
 
   int64_t hash_;
   LAMMPS_NS::PairGran* pair_ = nullptr;  // during an evaluation

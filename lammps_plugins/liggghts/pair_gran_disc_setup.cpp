@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Material constants, and registration with the engine's factories.
-#include <array>
 #include <string>
 
 #include "atom.h"
 #include "contact_models.h"
 #include "engine/arguments.h"
 #include "engine/engine_access.h"
+#include "engine/private_member.h"
 #include "fix_property_global.h"
 #include "force.h"
 #include "law/law_names.h"
@@ -20,57 +20,36 @@ namespace mikromakro::styles {
 using namespace LAMMPS_NS;
 using physics::Tangential;
 
-namespace {
-
-struct Constant {
-  const char *name, *symbol, *unit;
-  double physics::ContactParameters::*member;
-};
-constexpr std::array<Constant, 5> constants = {
-    {{"kn", "k_n", "", &physics::ContactParameters::normal_stiffness},
-     {"gamman_abs", "gamma_n", "kg/s", &physics::ContactParameters::normal_damping},
-     {"coefficientFriction", "mu", "", &physics::ContactParameters::friction},
-     {"kt", "k_t", "N/m", &physics::ContactParameters::tangential_stiffness},
-     {"gammat_abs", "gamma_t", "kg/s", &physics::ContactParameters::tangential_damping}}};
-
-std::string unit_of(const Constant& constant, physics::Normal normal) {
-  const bool of_law = constant.member == &physics::ContactParameters::normal_stiffness;
-  return of_law ? physics::with_law(normal, [](auto law) { return law.unit_of_stiffness; }) : constant.unit;
-}
-
-}  // namespace
-
-std::vector<double> PairGranDisc::material_constant(const char* name, const std::string& symbol) const {
+std::vector<double> PairGranDisc::material_constant(const ConstantOfLaw& constant) const {
   const int types = atom->ntypes;
+  const std::string name = constant.name;
   auto* fix = dynamic_cast<FixPropertyGlobal*>(modify->find_fix_property(
-      name, "property/global", "peratomtypepair", types, types, "pair_style gran", false));
+      constant.name, "property/global", "peratomtypepair", types, types, "pair_style gran", false));
   if (!fix) {
-    fail(std::string("needs the material constant ") + symbol + "; expected 'fix ID all property/global " +
-         name + " peratomtypepair " + std::to_string(types) + " ...' with one value for each pair of types");
+    fail("needs the material constant " + label_of(constant, effects().normal) +
+         "; expected 'fix ID all property/global " + name + " peratomtypepair " + std::to_string(types) +
+         " ...' with one value for each pair of types");
   }
   std::vector<double> values;
   for (int i = 0; i < types; ++i) {
     for (int j = 0; j < types; ++j) {
       values.push_back(fix->compute_array(i, j));
       if (!(values.back() >= 0)) {
-        fail(std::string("property/global ") + name + ": expected values >= 0, got " +
-             text_of(values.back()));
+        fail("property/global " + name + ": expected values >= 0, got " + text_of(values.back()));
       }
     }
   }
   return values;
 }
 
-std::vector<physics::ContactParameters> PairGranDisc::read_material_constants() const {
-  std::vector<physics::ContactParameters> parameters(static_cast<std::size_t>(atom->ntypes) * atom->ntypes);
-  for (const Constant& constant : constants) {
-    if (!is_needed(constant.member, effects().normal_dashpot, effects().tangential)) continue;
-    const std::string unit = unit_of(constant, effects().normal);
-    const auto values =
-        material_constant(constant.name, constant.symbol + (" [" + (unit.empty() ? "-" : unit) + "]"));
-    for (std::size_t k = 0; k < values.size(); ++k) parameters[k].*constant.member = values[k];
+MaterialTable PairGranDisc::read_material_constants() const {
+  MaterialTable materials(atom->ntypes);
+  for (const ConstantOfLaw& constant : constants_of_law) {
+    if (!is_needed(constant, effects())) continue;
+    const auto values = material_constant(constant);
+    for (std::size_t k = 0; k < values.size(); ++k) materials.values()[k].*constant.member = values[k];
   }
-  for (const auto& p : parameters) {
+  for (const auto& p : materials.values()) {
     if (p.normal_stiffness == 0) fail("property/global kn: expected > 0, got 0");
     if (effects().spring() && p.tangential_stiffness == 0) {
       fail(
@@ -78,13 +57,13 @@ std::vector<physics::ContactParameters> PairGranDisc::read_material_constants() 
           "spring");
     }
   }
-  return parameters;
+  return materials;
 }
 
 std::vector<MaterialConstant> PairGranDisc::given_constants() const {
   const int types = atom->ntypes;
   std::vector<MaterialConstant> given;
-  for (const Constant& constant : constants) {
+  for (const ConstantOfLaw& constant : constants_of_law) {
     auto* fix = dynamic_cast<FixPropertyGlobal*>(modify->find_fix_property(
         constant.name, "property/global", "peratomtypepair", types, types, "snapshot/disc", false));
     if (!fix) continue;
@@ -95,20 +74,16 @@ std::vector<MaterialConstant> PairGranDisc::given_constants() const {
   return given;
 }
 
+// The implementation in the engine's proxy is private.
+struct ProxyImplementation {
+  friend auto member(ProxyImplementation);
+};
+
+template struct PrivateMember<ProxyImplementation, &PairGranProxy::impl>;
+
 namespace {
 
 using Implementation = LIGGGHTS::PairStyles::IGranularPairStyle;
-
-// The implementation in the engine's proxy is private. Access: see engine_access.cpp.
-struct ProxyImplementation {
-  using Type = Implementation* PairGranProxy::*;
-  friend Type member(ProxyImplementation);
-};
-template <class Tag, typename Tag::Type Member>
-struct Grant {
-  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
-};
-template struct Grant<ProxyImplementation, &PairGranProxy::impl>;
 
 Implementation* create_disc_law(LAMMPS* engine, PairGran* parent, int64_t hash) {
   return new PairGranDisc(engine, parent, hash);

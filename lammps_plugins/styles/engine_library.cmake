@@ -9,9 +9,11 @@ function(engine_library name kind)
   file(GLOB_RECURSE shared CONFIGURE_DEPENDS ${styles_folder}/*.cpp)
   list(REMOVE_ITEM shared ${styles_folder}/program/launcher.cpp)
   add_library(${name} ${kind} ${shared} ${ARGN})
-  # Nobody asks for errno or floating-point traps; without them the loops over contacts can be vectorised.
-  set_source_files_properties(${styles_folder}/motion/fix_nve_disc.cpp ${styles_folder}/law/disc_law_loop.cpp
-                              ${styles_folder}/law/disc_law_state.cpp PROPERTIES COMPILE_OPTIONS
+  # Loops over discs and pairs: vectorised only without errno and floating-point traps, which nothing reads.
+  set(loops motion/fix_nve_disc.cpp motion/fix_nve_disc_open.cpp law/packed_discs.cpp law/pair_lists.cpp law/pair_loop.cpp
+            law/skin_budget.cpp)
+  list(TRANSFORM loops PREPEND ${styles_folder}/)
+  set_source_files_properties(${loops} PROPERTIES COMPILE_OPTIONS
                               "-fno-math-errno;-fno-trapping-math;-ffp-contract=off;-Wno-psabi")
   # Error lines name the source file, not the machine it was built on.
   target_compile_options(${name} PRIVATE "-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=")

@@ -45,7 +45,7 @@ DiscReference::DiscReference(const DiscScene& scene) : scene_(scene) {
   for (const auto& disc : scene_.discs) add(disc);
   loads_.resize(discs_.size());
   for (int k = 0; k < ContactBatch::lanes; ++k) batch_.set_material(k, scene.material);
-  near_gap_ = physics::near_gap(0, scene.skin);
+  near_gap_ = physics::inner_gap(0, scene.skin);
   build_pairs();
   find_near_pairs();
   evaluate_contacts(0);
@@ -119,7 +119,7 @@ void DiscReference::update_pairs() {
   ++steps_of_near_;
   if (2 * moved_ <= near_gap_) return;
   put_springs_away();
-  near_gap_ = std::min(physics::near_gap(moved_ / steps_of_near_, scene_.skin), scene_.skin / 2);
+  near_gap_ = std::min(physics::inner_gap(moved_ / steps_of_near_, scene_.skin), scene_.skin / 2);
   if (moved_too_far()) build_pairs();
   find_near_pairs();
 }
@@ -182,8 +182,8 @@ void DiscReference::build_pairs() {
 void DiscReference::find_near_pairs() {
   moved_ = 0;
   steps_of_near_ = 0;
-  near_.find(pairs_, discs_.data(), in_contact_, near_gap_,
-             physics::rows_exceed_cache(discs_.size()) ? ContactBatch::lanes : 0);
+  near_.prune(pairs_, discs_.data(), in_contact_, near_gap_,
+              physics::rows_exceed_cache(discs_.size()) ? ContactBatch::lanes : 0);
   for (int k = 0; k < near_.size(); ++k) {
     const int number = near_.number(k);
     near_.set_spring(k, in_contact_[number] != 0, springs_[number].xi, springs_[number].slip_rate);
@@ -215,7 +215,7 @@ void DiscReference::evaluate_contacts(double dt) {
         physics::rows_exceed_cache(discs_.size()) ? std::min(count, near_.size() - first - count) : 0;
     c.springs = &near_.springs(first);
     if (dt == 0) c.springs = &(unmoved = *c.springs);
-    near_.fetch_springs(first + count, ahead);
+    near_.prefetch_springs(first + count, ahead);
     physics::load_discs<effects>(c, discs_.data(), pairs, count, loads_.data(), ahead);
     const auto state = physics::contact_geometry<effects>(c, count);
     physics::contact_slip(c, count, {dt, true});

@@ -8,7 +8,7 @@
 
 #include "disc_scene.h"
 #include "physics/contact/contact_batch.h"
-#include "physics/contact/near_pairs.h"
+#include "physics/contact/inner_list.h"
 #include "physics/motion/ring_motion.h"
 
 namespace mikromakro::bench {
@@ -67,7 +67,7 @@ class DiscReference {
   int builds_ = 0;
 
   // Since the last look at all pairs.
-  physics::NearPairs near_;
+  physics::InnerList near_;
   double near_gap_ = 0, moved_ = 0;
   int steps_of_near_ = 0;
 

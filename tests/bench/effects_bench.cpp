@@ -67,7 +67,7 @@ std::vector<Law> laws() {
 double bytes_per_contact(test::Engine& engine) {
   const auto* law = styles::active_disc_law(engine.lammps());
   if (!law) return 0;
-  return static_cast<double>(law->bytes_of_pairs() + law->bytes_in_engine()) /
+  return static_cast<double>(law->bytes_of_pairs() + law->pair_lists().bytes_in_engine()) /
          static_cast<double>(law->contacts());
 }
 

@@ -25,7 +25,7 @@ class DrawsToTheOrigin : public styles::FixOfEngine, public Interfaces... {
     styles::DiscLaw* law = styles::active_disc_law(*lmp);
     styles::AddedLoads loads(law, *atom);
     for (int i = 0; i < atom->nlocal; ++i) {
-      const auto* row = law->seen(i);
+      const auto* row = law->evaluated_row(i);
       loads.add(i, {-2 * row->x(), -2 * row->y()}, 1e-5);
     }
   }
@@ -52,7 +52,7 @@ Outcome run(const std::string& fix, const std::string& lines) {
       "timestep 4e-5\ncreate_discs box -0.08 0.08 -0.08 0.08 seed 7 density 6.36 velocity 0.1 discs 150 1 "
       "0.004\nfix integrate all nve/disc\nfix draw all " +
       fix + "\n" + lines + "run 1000\n");
-  return {engine.discs(), styles::active_disc_law(engine.lammps())->may_stay_open()};
+  return {engine.discs(), styles::active_disc_law(engine.lammps())->steps_may_be_open()};
 }
 
 void expect_same_bits(const Outcome& a, const Outcome& b) {

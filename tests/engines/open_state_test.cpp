@@ -220,19 +220,19 @@ TEST(OpenStateOrNot, DependsOnWhoActsWithinAStep) {
   engine.run(scene("model disc/linear tangential off", {}, 0.1));
   engine.run(disc(1, 0, 0, 0.005) + disc(2, 0.009, 0, 0.005) + "fix integrate all nve/disc\nrun 0\n");
   const auto& law = *styles::active_disc_law(engine.lammps());
-  EXPECT_TRUE(law.may_stay_open());
+  EXPECT_TRUE(law.steps_may_be_open());
   engine.run("fix fall all gravity 9.81 vector 0 -1 0\nrun 1\n");
-  EXPECT_FALSE(law.may_stay_open());
+  EXPECT_FALSE(law.steps_may_be_open());
   engine.run("unfix fall\nfix bottom all bottom/friction 0.05 9.81\nrun 1\n");
-  EXPECT_TRUE(law.may_stay_open());
+  EXPECT_TRUE(law.steps_may_be_open());
   engine.run(
       "fix walls all biaxial/2d type 1 left -0.09 fixed right 0.09 fixed bottom -0.09 fixed top 0.09 fixed\n"
       "run 1\n");
-  EXPECT_TRUE(law.may_stay_open());
+  EXPECT_TRUE(law.steps_may_be_open());
   engine.run(
       "fix cell all couette/2d center 0.0045 -0.03 inner smooth 1 0.01 outer smooth 1 0.05 omega_inner 1\n"
       "run 1\n");
-  EXPECT_TRUE(law.may_stay_open());
+  EXPECT_TRUE(law.steps_may_be_open());
 }
 
 }  // namespace

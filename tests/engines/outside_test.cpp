@@ -148,29 +148,29 @@ TEST(BetweenRuns, DiscsAreDisplaced) {
   EXPECT_LT(engine.discs().at(2).v_x, after.v_x);
 }
 
-bool may_stay_open(Engine& engine) {
-  return styles::active_disc_law(engine.lammps())->may_stay_open();
+bool steps_may_be_open(Engine& engine) {
+  return styles::active_disc_law(engine.lammps())->steps_may_be_open();
 }
 
 TEST(FusedSteps, CanBeSwitchedOff) {
   Engine engine;
   engine.run(pair_of_discs(0.01) + "fix integrate all nve/disc fused off\nrun 1\n");
-  EXPECT_FALSE(may_stay_open(engine));
+  EXPECT_FALSE(steps_may_be_open(engine));
   engine.run("unfix integrate\nfix integrate all nve/disc fused on velocity predicted\nrun 1\n");
-  EXPECT_TRUE(may_stay_open(engine));
+  EXPECT_TRUE(steps_may_be_open(engine));
 }
 
 /// Whoever acts within a step closes it, whatever his name.
 TEST(FusedSteps, AreClosedByWhoeverActsWithinThem) {
   Engine engine;
   engine.run(with_growing_discs(pair_of_discs(0.01)) + integration + "variable d equal 0.008\nrun 1\n");
-  EXPECT_TRUE(may_stay_open(engine));
+  EXPECT_TRUE(steps_may_be_open(engine));
   for (const char* fix : {"adapt 1 atom diameter v_d", "addforce 0 0 0", "viscous 0.0",
                           "setforce NULL NULL 0.0", "enforce2d"}) {
     engine.run(std::string("fix other all ") + fix + "\nrun 0\n");
-    EXPECT_FALSE(may_stay_open(engine)) << fix;
+    EXPECT_FALSE(steps_may_be_open(engine)) << fix;
     engine.run("unfix other\nrun 0\n");
-    EXPECT_TRUE(may_stay_open(engine)) << fix;
+    EXPECT_TRUE(steps_may_be_open(engine)) << fix;
   }
 }
 

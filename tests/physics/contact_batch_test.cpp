@@ -77,7 +77,7 @@ struct Outcome {
   BatchState state{};
 };
 
-/// As in the pair loop (styles/disc_law_loop.cpp).
+/// As in the pair loop (styles/law/pair_loop.cpp).
 template <Effects effects>
 [[gnu::always_inline]] inline void evaluate(const Chain& chain, Outcome& outcome) {
   const int count = static_cast<int>(chain.pairs.size());
@@ -135,8 +135,8 @@ Outcome outcome_on(Processor processor, const Chain& chain) {
   Outcome outcome;
   ContactBatch& c = *outcome.batch;
   // What the law reads and nobody has loaded shows as nan.
-  for (auto* lanes : {&c.d_x, &c.d_y, &c.reach, &c.radius_difference, &c.w_x, &c.w_y, &c.spin, &c.rim_speed,
-                      &c.slip, &c.short_torque, &c.v_t})
+  for (auto* lanes : {&c.d_x, &c.d_y, &c.radius_sum, &c.radius_difference, &c.w_x, &c.w_y, &c.spin,
+                      &c.rim_speed, &c.slip, &c.short_torque, &c.v_t})
     std::fill(std::begin(*lanes), std::end(*lanes), std::nan(""));
   for (int k = 0; k < ContactBatch::lanes; ++k) c.set_material(k, chain.materials.front());
   for (std::size_t k = 0; k < chain.materials.size(); ++k)

@@ -37,7 +37,7 @@ struct ContactBatch {
 
   // in: centre of 1 to centre of 2, sum and difference of the radii (2 - 1), velocity of 1 relative to 2, sum
   // of the spins, sum of spin times radius
-  alignas(64) Lanes d_x, d_y, reach, radius_difference, w_x, w_y, spin, rim_speed;
+  alignas(64) Lanes d_x, d_y, radius_sum, radius_difference, w_x, w_y, spin, rim_speed;
   // in: material
   alignas(64) Lanes k_n, gamma_n, k_t, gamma_t, mu, tangential_compliance;
   // only for laws with a spring; in and out: the springs; in: slip in this step
@@ -59,7 +59,7 @@ struct ContactBatch {
   }
   bool touches(int k) const { return overlap[k] > 0; }
   /// False for coincident centres, which leave the normal undefined.
-  bool is_defined(int k) const { return overlap[k] < reach[k]; }
+  bool is_defined(int k) const { return overlap[k] < radius_sum[k]; }
 };
 
 /// Number of lanes evaluated for `count` pairs: in multiples of 8 lanes; padding lanes repeat the last pair.
@@ -90,7 +90,7 @@ template <Effects effects>
   };
   store(c.d_x, place[0]);
   store(c.d_y, place[1]);
-  store(c.reach, place[2]);
+  store(c.radius_sum, place[2]);
   if constexpr (NormalLaw<effects.normal>::depends_on_radius) store(c.radius_difference, place[3]);
   store(c.w_x, motion[0]);
   store(c.w_y, motion[1]);
@@ -101,8 +101,8 @@ template <Effects effects>
 }
 
 /// Prefetches rows and loads of upcoming pairs.
-[[gnu::always_inline]] inline void fetch_discs(const DiscRow* discs, const DiscLoad* loads,
-                                               const DiscPair* pairs, int count) {
+[[gnu::always_inline]] inline void prefetch_discs(const DiscRow* discs, const DiscLoad* loads,
+                                                  const DiscPair* pairs, int count) {
   for (int k = 0; k < count; ++k) {
     __builtin_prefetch(&discs[pairs[k].j]);
     __builtin_prefetch(&loads[pairs[k].j], 1);
@@ -117,7 +117,7 @@ template <Effects effects>
   int k = 0;
   for (; k + 4 <= count; k += 4) {
     load_four_pairs<effects>(c, k, discs, {pairs[k], pairs[k + 1], pairs[k + 2], pairs[k + 3]});
-    if (k < ahead) fetch_discs(discs, loads, pairs + count + k, std::min(4, ahead - k));
+    if (k < ahead) prefetch_discs(discs, loads, pairs + count + k, std::min(4, ahead - k));
   }
   const int last = count - 1;
   for (; k < padded(count); k += 4) {
@@ -137,7 +137,7 @@ template <Effects effects>
     const double n_x = c.d_x[k] * inverse, n_y = c.d_y[k] * inverse;
     c.n_x[k] = n_x;
     c.n_y[k] = n_y;
-    c.overlap[k] = c.reach[k] - distance;
+    c.overlap[k] = c.radius_sum[k] - distance;
     c.v_n[k] = c.w_x[k] * n_x + c.w_y[k] * n_y;
     if constexpr (effects.tangential != Tangential::none) {
       // omega_1 c_1 + omega_2 c_2 with the lever arms c_i = a_i - overlap/2
@@ -184,8 +184,8 @@ template <Effects effects>
     const ContactParameters parameters{c.k_n[k], c.gamma_n[k], c.k_t[k], c.gamma_t[k], c.mu[k]};
     ContactState state{c.overlap[k], c.v_n[k], c.v_t[k], effects.spring() ? springs->xi[k] : 0.0};
     if constexpr (NormalLaw<effects.normal>::depends_on_radius) {
-      const double a_1 = (c.reach[k] - c.radius_difference[k]) / 2;
-      state.reduced_radius = reduced_radius(a_1, c.reach[k] - a_1);
+      const double a_1 = (c.radius_sum[k] - c.radius_difference[k]) / 2;
+      state.reduced_radius = reduced_radius(a_1, c.radius_sum[k] - a_1);
     }
     const auto force = contact_force<effects>(parameters, state, c.slip[k], c.tangential_compliance[k]);
     const bool touches = c.overlap[k] > 0;

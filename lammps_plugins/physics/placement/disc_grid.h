@@ -50,8 +50,8 @@ class DiscGrid {
   static bool overlap(const PlacedDisc& a, const PlacedDisc& b) {
     const double dx = a.x - b.x;
     const double dy = a.y - b.y;
-    const double reach = a.radius + b.radius;
-    return dx * dx + dy * dy < reach * reach;
+    const double contact_distance = a.radius + b.radius;
+    return dx * dx + dy * dy < contact_distance * contact_distance;
   }
   // Clamped before conversion: a distant obstacle would overflow an int.
   [[nodiscard]] int column_of(double x) const {

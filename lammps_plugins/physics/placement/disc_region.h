@@ -14,7 +14,7 @@ struct Rectangle {
   [[nodiscard]] double area() const { return (x_max - x_min) * (y_max - y_min); }
   [[nodiscard]] Rectangle bounds() const { return *this; }
   // True if (x, y) is at least `margin` inside the border; the margin includes the disc's radius.
-  [[nodiscard]] bool holds(double x, double y, double margin) const {
+  [[nodiscard]] bool contains(double x, double y, double margin) const {
     return x - x_min >= margin && x_max - x >= margin && y - y_min >= margin && y_max - y >= margin;
   }
   [[nodiscard]] bool can_hold(double margin) const {
@@ -28,7 +28,7 @@ struct Annulus {
 
   [[nodiscard]] double area() const { return std::numbers::pi * (r_outer * r_outer - r_inner * r_inner); }
   [[nodiscard]] Rectangle bounds() const { return {x - r_outer, x + r_outer, y - r_outer, y + r_outer}; }
-  [[nodiscard]] bool holds(double px, double py, double margin) const {
+  [[nodiscard]] bool contains(double px, double py, double margin) const {
     const double distance = std::hypot(px - x, py - y);
     // r_inner = 0: a full circle, without an inner border.
     return (r_inner == 0.0 || distance - r_inner >= margin) && r_outer - distance >= margin;
@@ -46,8 +46,8 @@ inline double area_of(const DiscRegion& region) {
 inline Rectangle bounds_of(const DiscRegion& region) {
   return std::visit([](const auto& r) { return r.bounds(); }, region);
 }
-inline bool holds_disc(const DiscRegion& region, double x, double y, double margin) {
-  return std::visit([&](const auto& r) { return r.holds(x, y, margin); }, region);
+inline bool contains_disc(const DiscRegion& region, double x, double y, double margin) {
+  return std::visit([&](const auto& r) { return r.contains(x, y, margin); }, region);
 }
 inline bool can_hold_disc(const DiscRegion& region, double margin) {
   return std::visit([&](const auto& r) { return r.can_hold(margin); }, region);

@@ -60,7 +60,7 @@ inline std::vector<PlacedDisc> place_discs(const DiscRegion& region, const std::
       const double x = uniform(bounds.x_min, bounds.x_max);
       const double y = uniform(bounds.y_min, bounds.y_max);
       const PlacedDisc disc{x, y, radius};
-      if (holds_disc(region, x, y, radius + gap) && !grid.touches(disc)) return disc;
+      if (contains_disc(region, x, y, radius + gap) && !grid.touches(disc)) return disc;
     }
     throw std::runtime_error("no place left for a disc of radius " + std::to_string(radius));
   };

@@ -61,6 +61,14 @@ bool Arguments::take_once(std::string_view keyword) {
   return true;
 }
 
+bool Arguments::take_switch(const std::string& keyword, bool& value) {
+  if (!take_once(keyword)) return false;
+  const std::string found = more() ? word(keyword) : "nothing";
+  if (found != "on" && found != "off") fail("'" + keyword + "': expected on or off, got " + found);
+  value = found == "on";
+  return true;
+}
+
 std::string Arguments::word(const std::string& name) {
   if (!more()) expected(name, "a word", "the end of the command");
   return arguments_[next_++];

@@ -28,6 +28,9 @@ class Arguments {
   // As take(), but a repeated keyword is an error.
   bool take_once(std::string_view keyword);
 
+  // As take_once(), and consumes "on" or "off" after the keyword, which sets `value`.
+  bool take_switch(const std::string& keyword, bool& value);
+
   // `name` is the argument's name in the documentation, for error messages.
   std::string word(const std::string& name);
   double number(const std::string& name);

@@ -30,7 +30,7 @@ void on_first_rank(LAMMPS_NS::LAMMPS& engine, const std::string& style, const st
   stop(engine, style, fault);
 }
 
-void tell(LAMMPS_NS::LAMMPS& engine, const std::string& line) {
+void print_line(LAMMPS_NS::LAMMPS& engine, const std::string& line) {
   if (engine.comm->me != 0) return;
   for (FILE* file : {engine.screen, engine.logfile})
     if (file) std::fprintf(file, "%s\n", line.c_str());

@@ -15,8 +15,8 @@ namespace mikromakro::styles {
 /// "style: what". Collective.
 void on_first_rank(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std::function<void()>& action);
 
-/// Prints a line on screen and in the log.
-void tell(LAMMPS_NS::LAMMPS& engine, const std::string& line);
+/// Prints a line on screen and in the log, from the first rank.
+void print_line(LAMMPS_NS::LAMMPS& engine, const std::string& line);
 
 /// Issues an engine warning from the first rank.
 void warn(LAMMPS_NS::LAMMPS& engine, const std::string& text);

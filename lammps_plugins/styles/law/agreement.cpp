@@ -50,7 +50,7 @@ void compare_wall_ids(LAMMPS& engine) {
       if (is_new || other->second == fix) continue;
       return warn(engine, name_of(*other->second) + " and " + name_of(*fix) +
                               ": both have a wall with the id " + std::to_string(wall.id) +
-                              " in contact rows, where they cannot be told apart");
+                              " in contact rows, where they cannot be distinguished");
     }
   }
 }

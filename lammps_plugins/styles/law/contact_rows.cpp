@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "law/contact_rows.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 
 #include "atom.h"
 #include "comm.h"
-#include "compute.h"
 #include "domain.h"
 #include "engine/engine_access.h"
 #include "engine/engine_lists.h"
 #include "law/disc_law.h"
 #include "modify.h"
-#include "output.h"
 #include "update.h"
 
 namespace mikromakro::styles {
@@ -31,13 +26,6 @@ AppliedContact moved(const Atom& atom, AppliedContact c) {
   c.n_y = y / distance;
   c.overlap = atom.radius[c.i] + atom.radius[c.j] - distance;
   return c;
-}
-
-/// Our compute, and the engine's computes that evaluate single contacts of the pair style.
-bool reads_contacts(const Compute& compute) {
-  constexpr std::array names = {"contact/disc", "pair/local", "fabric", "group/group"};
-  return std::any_of(names.begin(), names.end(),
-                     [&](const char* name) { return std::strcmp(compute.style, name) == 0; });
 }
 
 ContactRow row_of(const Atom& atom, const AppliedContact& c) {
@@ -62,27 +50,6 @@ ContactRow row_of(const Atom& atom, const AppliedContact& c) {
 
 }  // namespace
 
-void ContactSchedule::look_up(LAMMPS& engine) {
-  const Modify& modify = *engine.modify;
-  computes_.clear();
-  for (Compute* compute : computes(modify))
-    if (reads_contacts(*compute)) computes_.push_back(compute);
-  observers_.clear();
-  for (const Fix* fix : fixes(modify))
-    if (const auto* observer = dynamic_cast<const ContactObserver*>(fix)) observers_.push_back(observer);
-}
-
-bool ContactSchedule::due(const Update& update, const Output& output) const {
-  const bool scheduled =
-      update.setupflag || update.ntimestep == update.laststep || update.ntimestep == output.next;
-  if (scheduled && (!computes_.empty() || !observers_.empty())) return true;
-  const auto is_asked = [&](Compute* compute) { return compute->matchstep(update.ntimestep) != 0; };
-  if (std::any_of(computes_.begin(), computes_.end(), is_asked)) return true;
-  return std::any_of(observers_.begin(), observers_.end(), [&](const ContactObserver* observer) {
-    return observer->wants_contacts_at(update.ntimestep);
-  });
-}
-
 bool append_contact_rows(LAMMPS& engine, int group_bit, std::vector<ContactRow>& rows) {
   DiscLaw* law = active_disc_law(engine);
   const auto* contacts = law ? law->applied_contacts() : nullptr;
@@ -91,7 +58,7 @@ bool append_contact_rows(LAMMPS& engine, int group_bit, std::vector<ContactRow>&
   // A changing box moves discs after their forces were evaluated, and dumps show the moved positions.
   const bool box_changes = engine.domain->box_change != 0;
   if (box_changes) engine.comm->forward_comm();
-  law->tell_of_deep_overlaps();
+  law->warn_of_deep_overlaps();
   for (const auto& c : *contacts) {
     if (!(atom.mask[c.i] & group_bit) || !(atom.mask[c.j] & group_bit)) continue;
     // A contact across a rank boundary is evaluated on both ranks; the owner of the larger id reports it.

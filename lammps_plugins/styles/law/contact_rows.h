@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "engine/styles_never_throw.h"
-#include "lmptype.h"
-#include "pointers.h"
 
 namespace LAMMPS_NS {
-class Compute;
+class LAMMPS;
 }
 
 namespace mikromakro::styles {
@@ -37,27 +35,6 @@ class WallContactSource {
   /// false if the step was not recorded.
   virtual bool append_wall_contacts(int group_bit, std::vector<ContactRow>& rows) const = 0;
   virtual std::vector<WallKind> wall_kinds() const = 0;
-};
-
-/// A fix that reads contacts in steps of its own, which are not in the engine's output schedule.
-class ContactObserver {
- public:
-  virtual ~ContactObserver() noexcept(styles_never_throw) = default;
-  virtual bool wants_contacts_at(LAMMPS_NS::bigint step) const = 0;
-};
-
-/// The steps in which contacts are recorded: the set-up; the last step; steps scheduled for thermo, dumps or
-/// restarts if a compute contact/disc exists; steps for which another fix has requested one (e.g. fix
-/// ave/time through a compute reduce); and steps requested by an observer.
-class ContactSchedule {
- public:
-  /// Call at the start of a run, when all fixes and computes are defined.
-  void look_up(LAMMPS_NS::LAMMPS& engine);
-  bool due(const LAMMPS_NS::Update& update, const LAMMPS_NS::Output& output) const;
-
- private:
-  std::vector<LAMMPS_NS::Compute*> computes_;
-  std::vector<const ContactObserver*> observers_;
 };
 
 /// Appends the contacts of this step between discs of the group, then those of these discs with walls; each

@@ -36,11 +36,11 @@ constexpr int none = std::numeric_limits<int>::max();
 
 /// Smallest id, over all ranks, of the discs that satisfy a condition.
 template <class Condition>
-int first_disc(const LAMMPS& engine, Condition holds) {
+int first_disc(const LAMMPS& engine, Condition condition) {
   const Atom& atom = *engine.atom;
   int first = none;
   for (int i = 0; i < atom.nlocal; ++i) {
-    if (holds(i)) first = std::min(first, static_cast<int>(atom.tag[i]));
+    if (condition(i)) first = std::min(first, static_cast<int>(atom.tag[i]));
   }
   MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, engine.world);
   return first;

@@ -13,7 +13,7 @@ AddedLoads::AddedLoads(DiscLaw* law, LAMMPS_NS::Atom& atom) : atom_(atom) {
   spins_ = law->rows_have_spins();
   if (!law->step_is_open()) return;
   law->complete_step();
-  open_ = &law->packed_;
+  open_ = &law->shared_.packed;
 }
 
 void AddedLoads::add(int i, const physics::PlaneVector& force) {
@@ -35,7 +35,7 @@ void AddedLoads::add(int i, const physics::PlaneVector& force, double torque) {
   }
 }
 
-CarriedDiscs::CarriedDiscs(DiscLaw& law) : packed_(law.packed_) {
+CarriedDiscs::CarriedDiscs(DiscLaw& law) : packed_(law.shared_.packed) {
   law.complete_step();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What fixes may do within a step, in the open state (packed_discs.h) and out of it. Making one of these
-// objects completes the contacts of the step, so loads and rows cannot be reached before they are whole.
+// What fixes may do within a step, open (packed_discs.h) or closed. Constructing one of these objects
+// completes the contacts of the step, so that loads and rows cannot be accessed before they are complete.
 #pragma once
 
 #include "law/packed_discs.h"
@@ -14,7 +14,7 @@ namespace mikromakro::styles {
 
 class DiscLaw;
 
-/// Adds forces of fixes to those of the contacts, behind all contacts: in the packed loads while the step is
+/// Adds forces of fixes to those of the contacts, after all contacts: in the packed loads while the step is
 /// open, in the engine's arrays otherwise, with the same sums in both.
 class AddedLoads {
  public:
@@ -32,12 +32,12 @@ class AddedLoads {
   bool spins_ = true;
 };
 
-/// Moves discs whose course is given, in an open step: their rows are all there is to write.
+/// Moves discs on a prescribed path, in an open step: only their rows need to be written.
 class CarriedDiscs {
  public:
   explicit CarriedDiscs(DiscLaw& law);
 
-  /// The owned disc i; place [m], velocity [m/s], spin [1/s]. Inline: called for each disc of a ring.
+  /// The owned disc i; position [m], velocity [m/s], spin [1/s]. Inline: called for each disc of a ring.
   void carry(int i, const physics::PlaneVector& place, const physics::PlaneVector& velocity, double spin) {
     auto& row = packed_.discs[i];
     row.move_to(place.x, place.y);

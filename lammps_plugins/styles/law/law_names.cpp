@@ -46,14 +46,4 @@ std::string alternatives(const std::vector<std::string>& names) {
   return text;
 }
 
-bool is_needed(double physics::ContactParameters::*constant, bool normal_dashpot,
-               physics::Tangential tangential) {
-  using P = physics::ContactParameters;
-  if (constant == &P::normal_damping) return normal_dashpot;
-  if (constant == &P::friction) return tangential != physics::Tangential::none;
-  if (constant == &P::tangential_stiffness) return physics::has_spring(tangential);
-  if (constant == &P::tangential_damping) return physics::has_dashpot(tangential);
-  return true;
-}
-
 }  // namespace mikromakro::styles

@@ -19,8 +19,4 @@ std::optional<physics::Tangential> tangential_named(const std::string& word);
 /// "a, b or c", for messages.
 std::string alternatives(const std::vector<std::string>& names);
 
-/// Whether contacts take k_t, gamma_t, mu of the material.
-bool is_needed(double physics::ContactParameters::*constant, bool normal_dashpot,
-               physics::Tangential tangential);
-
 }  // namespace mikromakro::styles

@@ -2,72 +2,79 @@
 #include "law/packed_discs.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cmath>
+#include <utility>
 
-#include "engine/engine_access.h"
-#include "engine/engine_lists.h"
-#include "fix.h"
-#include "force.h"
-#include "law/fix_on_rows.h"
-#include "modify.h"
-#include "neighbor.h"
-#include "output.h"
-#include "update.h"
+#include "atom.h"
 
 namespace mikromakro::styles {
 
-using namespace LAMMPS_NS;
+using LAMMPS_NS::Atom;
+using physics::DiscLoad;
+using physics::DiscRow;
 
 namespace {
 
-bool may_act(const Fix& fix, int mask) {
-  const auto* on_rows = dynamic_cast<const FixOnRows*>(&fix);
-  return leaves_discs_alone(fix, on_rows ? mask & ~on_rows->calls_on_rows() : mask);
+using Vector3 = double[3];
+
+const Vector3* vectors(double** of_atoms) {
+  return reinterpret_cast<const Vector3*>(of_atoms[0]);
 }
 
-/// Bonded and long-range forces, which the engine adds after those of the pair style.
-bool others_add_forces(const Force& force) {
-  return force.bond || force.angle || force.dihedral || force.improper || force.kspace;
+/// Reading the engine's arrays in the pair loop would cost a cache line per array and neighbour.
+template <bool spins>
+DiscChange pack_rows(DiscRow* discs, const Atom& atom, int first) {
+  const int count = atom.nlocal + atom.nghost;
+  const Vector3 *x = vectors(atom.x), *v = vectors(atom.v), *omega = vectors(atom.omega);
+  const double* radius = atom.radius;
+  double furthest = 0, growth = 0;
+  for (int i = first; i < count; ++i) {
+    const double d_x = x[i][0] - discs[i].x(), d_y = x[i][1] - discs[i].y();
+    furthest = std::max(furthest, d_x * d_x + d_y * d_y);
+    growth = std::max(growth, radius[i] - discs[i].radius());
+    discs[i] = DiscRow::of(x[i][0], x[i][1], radius[i]);
+    discs[i].set_motion(v[i][0], v[i][1], spins ? omega[i][2] : 0.0);
+  }
+  return {std::sqrt(furthest), growth};
 }
 
 }  // namespace
 
-bool may_stay_open(LAMMPS& engine, const Fix& integrator) {
-  constexpr int run = 1;  // not a minimisation
-  const Update& update = *engine.update;
-  if (update.whichflag != run || std::strcmp(update.integrate_style, "verlet") != 0) return false;
-  if (others_add_forces(*engine.force)) return false;
-  const Modify& modify = *engine.modify;
-  for (Fix* fix : fixes(modify))
-    if (fix != &integrator && !may_act(*fix, mask_of(modify, fix))) return false;
-  return true;
+DiscChange PackedDiscs::pack(const Atom& atom, int first, bool spins) {
+  const int count = atom.nlocal + atom.nghost;
+  discs.resize(count);
+  loads.resize(count);
+  DiscRow* rows = discs.data();
+  DiscChange change = spins ? pack_rows<true>(rows, atom, first) : pack_rows<false>(rows, atom, first);
+  const double by_movers = std::exchange(furthest, 0.0);
+  if (first > 0) change.moved = std::max(change.moved, by_movers);
+  return change;
 }
 
-bool build_is_due(LAMMPS& engine) {
-  const bigint step = engine.update->ntimestep;
-  if (writes_restart_at(engine, step) || !engine.neighbor->dist_check) return true;
-  const Modify& modify = *engine.modify;
-  const auto all = fixes(modify);
-  return std::any_of(all.begin(), all.end(), [step](const Fix* fix) {
-    return fix->force_reneighbor && fix->next_reneighbor == step;
-  });
+void PackedDiscs::unpack(Atom& atom, int i, bool spins) const {
+  const DiscRow& disc = discs[i];
+  atom.x[i][0] = disc.x();
+  atom.x[i][1] = disc.y();
+  atom.v[i][0] = disc.motion[0];
+  atom.v[i][1] = disc.motion[1];
+  if (spins) atom.omega[i][2] = disc.motion[2];
 }
 
-void EndOfStepReaders::look_up(LAMMPS& engine) {
-  const Modify& modify = *engine.modify;
-  intervals_.clear();
-  for (Fix* fix : fixes(modify))
-    if (mask_of(modify, fix) & FixConst::END_OF_STEP) intervals_.push_back(fix->nevery);
+void PackedDiscs::unpack_owned(Atom& atom, bool spins) const {
+  for (int i = 0; i < atom.nlocal; ++i) unpack(atom, i, spins);
 }
 
-bool EndOfStepReaders::any_at_present_step(LAMMPS& engine) const {
-  const Update& update = *engine.update;
-  const bigint step = update.ntimestep;
-  if (update.setupflag || step == update.laststep || step == engine.output->next) return true;
-  // A signal may end the run after any step.
-  if (is_asked_to_stop()) return true;
-  return std::any_of(intervals_.begin(), intervals_.end(),
-                     [step](int every) { return every <= 1 || step % every == 0; });
+void PackedDiscs::unload(Atom& atom, bool spins, bool overwrite) {
+  auto* f = reinterpret_cast<Vector3*>(atom.f[0]);
+  auto* torque = reinterpret_cast<Vector3*>(atom.torque[0]);
+  const int nlocal = atom.nlocal;
+  for (int i = 0; i < nlocal && overwrite; ++i) f[i][0] = f[i][1] = torque[i][2] = 0;
+  for (int i = 0; i < nlocal; ++i) {
+    f[i][0] += loads[i].f_x();
+    f[i][1] += loads[i].f_y();
+  }
+  for (int i = 0; i < nlocal && spins; ++i) torque[i][2] += loads[i].torque(discs[i].radius());
+  std::fill(loads.begin(), loads.end(), DiscLoad{});
 }
 
 }  // namespace mikromakro::styles

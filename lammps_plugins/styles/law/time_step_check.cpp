@@ -123,7 +123,7 @@ double shortest_contact(const TypesAtHand& at_hand, const std::vector<double>& o
     const double m_i = at_hand.mass[i], a_i = at_hand.radius[i];
     if (!std::isfinite(m_i)) continue;
     for (std::size_t j = 0; j < types; ++j) {
-      const auto& p = law.parameters[i * types + j];
+      const auto& p = law.materials.values()[i * types + j];
       const double m_j = at_hand.mass[j], overlap = overlaps[i * types + j];
       const double velocity = std::max(law.impact_velocity, at_hand.speed[i] + at_hand.speed[j]);
       const auto meet = [&](double m12, double a_j) {
@@ -147,7 +147,7 @@ void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& s
   const Atom& atom = *engine.atom;
   const auto at_hand = types_at_hand(atom, *engine.modify, engine.world);
   const bool by_velocity = physics::depends_on_velocity(law.effects.normal);
-  const std::vector<double> untouched(law.parameters.size(), 0.0);
+  const std::vector<double> untouched(law.materials.values().size(), 0.0);
   const double t_c =
       shortest_contact(at_hand, by_velocity ? largest_overlaps(atom, list, engine.world) : untouched, law);
   if (!std::isfinite(t_c)) {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "law/material_constants.h"
 #include "physics/contact/contact_law.h"
 
 namespace LAMMPS_NS {
@@ -17,7 +17,7 @@ namespace mikromakro::styles {
 /// The parameters of the contact law that set time scales.
 struct TimeScales {
   physics::Effects effects;
-  const std::vector<physics::ContactParameters>& parameters;  // of types i, j at (i - 1) * types + j - 1
+  const MaterialTable& materials;
   double impact_velocity;  // fastest expected impact, for Hertz's law [m/s]; 0: unknown
 };
 

@@ -14,6 +14,7 @@
 #include "force.h"
 #include "lammps.h"
 #include "law/contact_rows.h"
+#include "law/contact_schedule.h"
 #include "modify.h"
 
 namespace mikromakro::styles {

@@ -57,8 +57,8 @@ double FixBottomFriction::apply() {
   double power = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const auto* seen = law_ ? law_->seen(i) : nullptr;
-    const auto v = seen ? seen->velocity() : physics::PlaneVector{atom->v[i][0], atom->v[i][1]};
+    const auto* row = law_ ? law_->evaluated_row(i) : nullptr;
+    const auto v = row ? row->velocity() : physics::PlaneVector{atom->v[i][0], atom->v[i][1]};
     const auto force = physics::bottom_friction(mu_b_ * g_ * atom->rmass[i], v, v_0_);
     loads.add(i, force);
     power -= force.x * v.x + force.y * v.y;
@@ -69,7 +69,7 @@ double FixBottomFriction::apply() {
 /// A continued run uses the power of the last step, whose velocities were predicted.
 void FixBottomFriction::setup(int /*vflag*/) {
   const double power = apply();
-  if (!goes_on_) power_ = power;
+  if (!continues_) power_ = power;
 }
 
 /// Energy by the trapezoidal rule from the power at both ends of the step.
@@ -77,7 +77,7 @@ void FixBottomFriction::post_force(int /*vflag*/) {
   const double before = power_;
   power_ = apply();
   energy_ += (before + power_) / 2 * update->dt;
-  goes_on_ = true;
+  continues_ = true;
 }
 
 double FixBottomFriction::sum_of_all_ranks(double value) const {
@@ -109,7 +109,7 @@ void FixBottomFriction::restart(char* buffer) {
   if (comm->me != 0) state.fill(0.0);
   power_ = state[0];
   energy_ = state[1];
-  goes_on_ = true;
+  continues_ = true;
 }
 
 }  // namespace mikromakro::styles

@@ -45,7 +45,7 @@ class FixBottomFriction : public FixOfEngine, public FixOnRows {
   double v_0_ = 0;
   // For the discs of this rank: power at the last evaluation [W], energy dissipated [J].
   double power_ = 0, energy_ = 0;
-  bool goes_on_ = false;  // power_ was kept from the last step
+  bool continues_ = false;  // power_ was kept from the last step
 };
 
 }  // namespace mikromakro::styles

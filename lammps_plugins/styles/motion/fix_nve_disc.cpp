@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "motion/fix_nve_disc.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <string>
-#include <utility>
-
-#include <mpi.h>
 
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "engine/arguments.h"
 #include "engine/engine_access.h"
-#include "engine/processor_clones.h"
 #include "error.h"
 #include "law/disc_law.h"
-#include "neighbor.h"
+#include "law/open_steps.h"
 #include "update.h"
 
 namespace mikromakro::styles {
@@ -77,13 +71,13 @@ void FixNveDisc::check_run() const {
 
 void FixNveDisc::init() {
   check_run();
-  step_complete_ = half_steps_wait_ = false;
+  step_complete_ = half_steps_pending_ = false;
   prediction_ = Prediction::none;
-  next_question_ = 0;
+  next_check_ = 0;
   law_ = active_disc_law(*lmp);
-  packed_ = law_ ? &law_->packed_discs(*this) : nullptr;
+  shared_ = law_ ? &law_->shared_step(*this) : nullptr;
   predicts_ = law_ && predicted_ && law_->velocities_predicted();
-  if (packed_) packed_->may_stay_open = predicts_ && fused_ && may_stay_open(*lmp, *this);
+  if (shared_) shared_->packed.may_be_open = predicts_ && fused_ && steps_may_be_open(*lmp, *this);
 }
 
 /// The engine sorts and exchanges atoms before the first step.
@@ -92,9 +86,9 @@ void FixNveDisc::setup_pre_exchange() {
 }
 
 void FixNveDisc::initial_integrate(int /*vflag*/) {
-  go_on_from_last_run();
-  if (packed_ && packed_->open) {
-    go_on();
+  resume_last_run();
+  if (shared_ && shared_->packed.open) {
+    begin_fused_step();
   } else {
     begin_step();
   }
@@ -104,12 +98,12 @@ void FixNveDisc::find_members() {
   members_.clear();
   others_.clear();
   for (int i = 0; i < atom->nlocal; ++i) (atom->mask[i] & groupbit ? members_ : others_).push_back(i);
-  seen_elsewhere_ = atoms_with_ghosts(*comm, atom->nlocal);
+  with_ghosts_ = atoms_with_ghosts(*comm, atom->nlocal);
   members_known_ = true;
 }
 
 void FixNveDisc::begin_step() {
-  half_steps_wait_ = false;
+  half_steps_pending_ = false;
   const double dt = update->dt;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (predicts_) predictions_[i].values = Four{0, 0, 0, 0};
@@ -129,12 +123,12 @@ void FixNveDisc::begin_step() {
 }
 
 void FixNveDisc::send_to_ghosts() {
-  if (half_steps_wait_) return;
+  if (half_steps_pending_) return;
   if (comm->nprocs > 1 || atom->nghost > 0) send_values_to_ghosts();
 }
 
 void FixNveDisc::pre_force(int /*vflag*/) {
-  if (!predicts_ || half_steps_wait_) return;
+  if (!predicts_ || half_steps_pending_) return;
   prediction_ = Prediction::differences;
 }
 
@@ -150,110 +144,6 @@ void FixNveDisc::predict(std::vector<physics::DiscRow>& rows, int first) const {
   }
 }
 
-/// At the first step that ends in the open state: stores mid-step velocities, from which the next step
-/// begins.
-void FixNveDisc::take_half_steps() {
-  for (int i = 0; i < atom->nlocal; ++i) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    const double kick = update->dt / 2 / atom->rmass[i];
-    half_steps_[i].values = Four{atom->v[i][0], atom->v[i][1], atom->omega[i][2], kick};
-    spin_kicks_[i] = 2 * kick / (atom->radius[i] * atom->radius[i]);
-  }
-  half_steps_wait_ = true;
-}
-
-namespace {
-
-struct OpenStep {
-  const int* members;
-  int count;
-  double dt;
-  Four* half_steps;
-  const double* spin_kicks;
-  physics::DiscRow* discs;
-  physics::DiscLoad* loads;
-  int next = 0;        // of the members
-  double fastest = 0;  // largest squared velocity of the members moved so far
-};
-
-/// Moves the members with index below `before`: final half-kick of the previous step, first half-kick and
-/// drift of this step, and the velocity predicted for its end. Same arithmetic as end_step() and
-/// begin_step().
-FOR_EACH_PROCESSOR void move_discs(OpenStep& step, int before) {
-  const Four drift = {step.dt, step.dt, 0, 0};
-  double fastest = step.fastest;
-  int k = step.next;
-  for (; k < step.count && step.members[k] < before; ++k) {
-    const int i = step.members[k];
-    auto& disc = step.discs[i];
-    auto& load = step.loads[i];
-    const double radius = disc.radius(), kick = step.half_steps[i][3];
-    const Four dv =
-        Four{kick, kick, step.spin_kicks[i], 0} * Four{load.f_x(), load.f_y(), load.torque(radius), 0};
-    const Four half = step.half_steps[i] + dv + dv;
-    step.half_steps[i] = half;
-    disc.place += drift * half;
-    const Four now = half + dv;
-    disc.set_motion(now[0], now[1], now[2]);
-    load = {};
-    fastest = std::max(fastest, half[0] * half[0] + half[1] * half[1]);
-  }
-  step.next = k;
-  step.fastest = fastest;
-}
-
-}  // namespace
-
-/// As begin_step(), with fused half-kicks from the packed disc data.
-void FixNveDisc::go_on() {
-  if (!members_known_) find_members();
-  static_assert(sizeof(OfDisc) == sizeof(Four));
-  OpenStep step{members_.data(),      static_cast<int>(members_.size()),
-                update->dt,           &half_steps_.data()->values,
-                spin_kicks_.data(),   packed_->discs.data(),
-                packed_->loads.data()};
-  law_->complete_step([&step](int before) { move_discs(step, before); });
-  // Whether carried by a ring or immobile.
-  for (const int i : others_) packed_->loads[i] = {};
-  packed_->furthest = std::max(packed_->furthest, std::sqrt(step.fastest) * step.dt);
-  packed_->step = update->ntimestep;
-}
-
-/// True if no disc on any rank can have moved beyond half the skin of the neighbour list. Also decides
-/// whether the inner list is to be pruned, in the same step on all ranks, since a rank pruning alone would
-/// keep the others waiting. The MPI_Allreduce costs as much as some hundred discs, so its result is reused
-/// for up to four steps, less than a collision takes. Within these an elastic collision at most doubles the
-/// largest speed, and discs released from rest, which move by 1, 3, 5, 7, 9 in equal steps, average six times
-/// the first displacement over the last four. On a single rank the check is repeated in every step.
-bool FixNveDisc::neighbours_suffice() {
-  if (update->ntimestep < next_question_) return true;
-  int steps[] = {law_->steps_neighbours_suffice(), law_->steps_near_pairs_suffice()};
-  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, steps, 2, MPI_INT, MPI_MIN, world);
-  packed_->look_is_due = steps[1] == 0;
-  next_question_ = update->ntimestep + std::clamp(std::min(steps[0], steps[1]), 1, comm->nprocs > 1 ? 4 : 1);
-  return steps[0] > 0;
-}
-
-/// All discs have moved, and the engine is about to check whether neighbour lists must be rebuilt. If they
-/// cannot be due, its search over all discs is skipped; if they may be, discs and springs must be in its
-/// arrays. The clearing of forces is skipped too if nothing reads them.
-void FixNveDisc::post_integrate() {
-  if (!packed_ || !packed_->open) return;
-  if (!neighbours_suffice() || build_is_due(*lmp)) {
-    law_->put_discs_into_engine();
-    law_->put_springs_into_engine();
-  } else {
-    for (const int i : seen_elsewhere_) law_->put_disc_into_engine(i);
-    packed_->check_is_off = !neighbor->build_once;
-    neighbor->build_once = 1;
-    // A signal that arrives after this point and requires new lists waits for the next step.
-    packed_->asks_for_lists = std::exchange(asks_for_lists(*neighbor), 0);
-  }
-  int& not_cleared = forces_are_not_cleared(*update->integrate);
-  packed_->clear_is_off = !not_cleared && law_->will_stay_open();
-  if (packed_->clear_is_off) not_cleared = 1;
-}
-
 /// Discs are about to change indices and ranks.
 void FixNveDisc::pre_exchange() {
   members_known_ = false;
@@ -261,10 +151,10 @@ void FixNveDisc::pre_exchange() {
 
 void FixNveDisc::final_integrate() {
   prediction_ = Prediction::none;
-  if (!packed_ || !packed_->open) {
+  if (!shared_ || !shared_->packed.open) {
     end_step();
-  } else if (!half_steps_wait_) {
-    take_half_steps();
+  } else if (!half_steps_pending_) {
+    store_half_steps();
   }
 }
 
@@ -275,20 +165,20 @@ void FixNveDisc::end_step() {
     double *v = atom->v[i], *omega = atom->omega[i];
     const double kick = dt / 2 / atom->rmass[i];
     const double spin_kick = 2 * kick / (atom->radius[i] * atom->radius[i]);
-    const Four half = half_steps_wait_ ? half_steps_[i].values : Four{v[0], v[1], omega[2], 0};
+    const Four half = half_steps_pending_ ? half_steps_[i].values : Four{v[0], v[1], omega[2], 0};
     v[0] = half[0] + kick * atom->f[i][0];
     v[1] = half[1] + kick * atom->f[i][1];
     omega[2] = half[2] + spin_kick * atom->torque[i][2];
   }
-  half_steps_wait_ = false;
+  half_steps_pending_ = false;
   note_end_of_step();
 }
 
-/// A signal, a time limit or `fix halt` may have ended the run unexpectedly, in the open state.
+/// A signal, a time limit or `fix halt` may have ended the run unexpectedly, with an open step.
 void FixNveDisc::post_run() {
-  if (packed_ && packed_->open) {
+  if (shared_ && shared_->packed.open) {
     law_->close();
-    law_->keep_springs_with_atoms();
+    law_->copy_histories_to_atoms();
     end_step();
   }
   keep_last_forces();

@@ -13,7 +13,7 @@
 namespace mikromakro::styles {
 
 class DiscLaw;
-struct PackedDiscs;
+struct SharedStep;
 
 /// fix ID group nve/disc [velocity predicted | half_step] [fused on | off]
 ///
@@ -77,22 +77,22 @@ class FixNveDisc : public FixOfEngine, public DiscIntegrator {
   void read_options(int narg, char** arg);
   void check_run() const;
   /// Called before the first half-kick of a step, and after the second one of a step that ends closed.
-  void go_on_from_last_run();
+  void resume_last_run();
   void note_end_of_step();
   void keep_last_forces();
   void find_members();
   void pack_prediction(int i, double* buffer) const;
   void unpack_prediction(int i, const double* buffer);
   void begin_step();
-  void take_half_steps();
-  void go_on();
+  void store_half_steps();
+  void begin_fused_step();
   void end_step();
-  bool neighbours_suffice();
+  bool lists_stay_valid();
 
   bool predicted_ = true, fused_ = true;
   bool predicts_ = false;  // in this run: the disc law uses predictions
   DiscLaw* law_ = nullptr;
-  PackedDiscs* packed_ = nullptr;
+  SharedStep* shared_ = nullptr;  // of the law
   // How predict() uses the stored values of each disc, owned or ghost. none: not between the two half-kicks
   // of a step; differences: within a step, added to v_x, v_y and the spin; velocities: in the set-up of a
   // continued run, replace them.
@@ -102,21 +102,21 @@ class FixNveDisc : public FixOfEngine, public DiscIntegrator {
     physics::Four values;
   };
   std::vector<OfDisc> predictions_;
-  // Per owned atom, between steps in the open state: v_x, v_y [m/s] and spin [1/s] at mid-step; dt / 2m,
+  // Per owned atom, between open steps: v_x, v_y [m/s] and spin [1/s] at mid-step; dt / 2m,
   // which turns a force into a half-kick; and dt / 2I.
   static constexpr int size_of_half_step = 5, size_of_prediction = 3;  // doubles sent to another rank
   static constexpr int size_for_ghosts = size_of_prediction + 1;
   std::vector<OfDisc> half_steps_;
   std::vector<double> spin_kicks_;
-  bool half_steps_wait_ = false;       // mid-step velocities are here, not in the engine
+  bool half_steps_pending_ = false;    // mid-step velocities are here, not in the engine
   std::vector<int> members_, others_;  // local indices of discs in the group, and of all others
-  std::vector<int> seen_elsewhere_;    // local indices of discs that have ghosts
+  std::vector<int> with_ghosts_;       // local indices of discs that have ghosts
   bool members_known_ = false;
-  LAMMPS_NS::bigint next_question_ = 0;  // step of the next check: see neighbours_suffice()
+  LAMMPS_NS::bigint next_check_ = 0;  // step of the next check: see lists_stay_valid()
   LastForces last_forces_;
-  bool resumes_ = false;              // the next step is the first of a continued run
-  bool step_complete_ = false;        // forces and velocities are those of the end of a step
-  LAMMPS_NS::bigint seen_step_ = -1;  // step whose contact velocities last_forces_ holds
+  bool resumes_ = false;                    // the next step is the first of a continued run
+  bool step_complete_ = false;              // forces and velocities are those of the end of a step
+  LAMMPS_NS::bigint velocities_step_ = -1;  // step whose contact velocities last_forces_ holds
 };
 
 }  // namespace mikromakro::styles

@@ -23,7 +23,7 @@ void FixNveDisc::setup_pre_force(int /*vflag*/) {
   resumes_ = law_ && !domain->deform_vremap && last_forces_.nothing_changed();
   if (!resumes_) return;
   for (int i = 0; i < atom->nlocal; ++i) {
-    const auto& [v_x, v_y, spin] = last_forces_.seen(i);
+    const auto& [v_x, v_y, spin] = last_forces_.velocities(i);
     predictions_[i].values = Four{v_x, v_y, spin, 0};
   }
   prediction_ = Prediction::velocities;
@@ -35,7 +35,7 @@ void FixNveDisc::setup(int /*vflag*/) {
 }
 
 /// A run from the restart file of this step will sort its discs in its set-up, so this run sorts as well.
-void FixNveDisc::go_on_from_last_run() {
+void FixNveDisc::resume_last_run() {
   if (update->ntimestep == next_restart_step(*lmp)) atom->nextsort = update->ntimestep;
   if (!resumes_) return;
   resumes_ = false;
@@ -47,15 +47,17 @@ void FixNveDisc::note_end_of_step() {
   step_complete_ = true;
   const bool may_be_kept = update->ntimestep == update->laststep || is_asked_to_stop() ||
                            writes_restart_at(*lmp, update->ntimestep);
-  if (!may_be_kept || !law_ || packed_->discs.size() < static_cast<std::size_t>(atom->nlocal)) return;
-  last_forces_.see(packed_->discs.data(), law_->rows_have_spins());
-  seen_step_ = update->ntimestep;
+  if (!may_be_kept || !law_ || shared_->packed.discs.size() < static_cast<std::size_t>(atom->nlocal)) return;
+  last_forces_.store_velocities(shared_->packed.discs.data(), law_->rows_have_spins());
+  velocities_step_ = update->ntimestep;
 }
 
 void FixNveDisc::keep_last_forces() {
-  if (!step_complete_ || !law_ || packed_->discs.size() < static_cast<std::size_t>(atom->nlocal)) return;
-  if (seen_step_ != update->ntimestep) last_forces_.see(packed_->discs.data(), law_->rows_have_spins());
-  last_forces_.keep();
+  if (!step_complete_ || !law_ || shared_->packed.discs.size() < static_cast<std::size_t>(atom->nlocal))
+    return;
+  if (velocities_step_ != update->ntimestep)
+    last_forces_.store_velocities(shared_->packed.discs.data(), law_->rows_have_spins());
+  last_forces_.store_discs();
 }
 
 /// Within a run, the engine writes the springs as of the last neighbour list build, and no forces. The
@@ -64,7 +66,7 @@ void FixNveDisc::keep_last_forces() {
 void FixNveDisc::write_restart(FILE* file) {
   if (step_complete_) {
     keep_last_forces();
-    if (law_) law_->keep_springs_with_atoms();
+    if (law_) law_->copy_histories_to_atoms();
   }
   if (comm->me != 0) return;
   constexpr int format = 2, size = sizeof format;

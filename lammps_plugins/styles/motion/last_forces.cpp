@@ -23,15 +23,15 @@ bool same_place(double a, double b, bool periodic, double period) {
 
 }  // namespace
 
-void LastForces::see(const physics::DiscRow* rows, bool rows_have_spins) {
+void LastForces::store_velocities(const physics::DiscRow* rows, bool rows_have_spins) {
   const auto& atom = *engine_.atom;
   for (int i = 0; i < atom.nlocal; ++i) {
     const auto& motion = rows[i].motion;
-    kept_[i].seen = {motion[0], motion[1], rows_have_spins ? motion[2] : atom.omega[i][2]};
+    kept_[i].velocities = {motion[0], motion[1], rows_have_spins ? motion[2] : atom.omega[i][2]};
   }
 }
 
-void LastForces::keep() {
+void LastForces::store_discs() {
   const auto& atom = *engine_.atom;
   for (int i = 0; i < atom.nlocal; ++i) {
     Kept& kept = kept_[i];

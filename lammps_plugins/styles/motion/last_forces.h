@@ -28,13 +28,13 @@ class LastForces {
 
   /// Stores the velocities used for the forces: those in the rows of the owned discs; for laws without
   /// friction, whose rows lack spins, the engine's spins.
-  void see(const physics::DiscRow* rows, bool rows_have_spins);
-  /// Stores the discs as they are at the end of this step. Call after see().
-  void keep();
+  void store_velocities(const physics::DiscRow* rows, bool rows_have_spins);
+  /// Stores the discs as they are at the end of this step. Call after store_velocities().
+  void store_discs();
 
-  /// True if every disc on all ranks is unchanged since keep(), and none is missing or new.
+  /// True if every disc on all ranks is unchanged since store_discs(), and none is missing or new.
   bool nothing_changed() const;
-  const std::array<double, 3>& seen(int i) const { return kept_[i].seen; }
+  const std::array<double, 3>& velocities(int i) const { return kept_[i].velocities; }
 
   /// Restores the stored forces on those discs of the group whose present forces agree to rounding.
   /// contact_force: largest contact force [N], which sets the rounding tolerance.
@@ -51,11 +51,11 @@ class LastForces {
 
  private:
   struct Kept {
-    double discs = 0;                // in the whole system; 0: nothing stored
-    std::array<double, 4> shape{};   // x, y, radius, type
-    std::array<double, 3> motion{};  // v_x, v_y, omega
-    std::array<double, 3> seen{};    // the same when forces were evaluated
-    std::array<double, 3> load{};    // f_x, f_y, torque
+    double discs = 0;                    // in the whole system; 0: nothing stored
+    std::array<double, 4> shape{};       // x, y, radius, type
+    std::array<double, 3> motion{};      // v_x, v_y, omega
+    std::array<double, 3> velocities{};  // the same when forces were evaluated
+    std::array<double, 3> load{};        // f_x, f_y, torque
   };
   static_assert(sizeof(Kept) == values * sizeof(double));
   bool unchanged(int i) const;

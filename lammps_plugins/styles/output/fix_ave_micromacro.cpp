@@ -149,8 +149,8 @@ void FixAveMicromacro::setup(int /*vflag*/) {
 void FixAveMicromacro::warn_of_change() {
   auto constants = active_disc_law(*lmp)->given_constants();
   if (!constants_.empty() && constants_ != constants && averaged_.sums.frames() > 0)
-    tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
-                   "): constants of the law have changed: the averages hold frames of before, too");
+    print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
+                         "): constants of the law have changed: the averages hold frames of before, too");
   constants_ = std::move(constants);
 }
 
@@ -160,15 +160,15 @@ void FixAveMicromacro::warn_of_constants() const {
   warn_of("coefficientFriction", "mu", options_.fields.numbers.friction_coefficient);
 }
 
-void FixAveMicromacro::warn_of(const std::string& name, const std::string& keyword, double told) const {
+void FixAveMicromacro::warn_of(const std::string& name, const std::string& keyword, double given) const {
   constexpr double digits = 1e-6;
-  if (told == 0) return;
+  if (given == 0) return;
   for (const MaterialConstant& constant : active_disc_law(*lmp)->given_constants()) {
     if (constant.name != name) continue;
     const bool hertz = constant.unit == "N/m^2";
     for (const double value : constant.values) {
-      if (!hertz && std::abs(value - told) <= digits * told) continue;
-      std::string text = std::string("fix ") + id + " (" + style + "): " + keyword + " " + text_of(told);
+      if (!hertz && std::abs(value - given) <= digits * given) continue;
+      std::string text = std::string("fix ") + id + " (" + style + "): " + keyword + " " + text_of(given);
       text += hertz ? " N/m is used, but the law is Hertzian, whose kn is in N/m^2"
                     : " is used, but the law has " + text_of(value) +
                           ", by types perhaps: fields that take it are those of the first";
@@ -194,16 +194,16 @@ void FixAveMicromacro::end_of_step() {
   ++waiting_;
   if (update->ntimestep % write_every_ != 0) return;
   waiting_ = 0;
-  told_when_ = false;
+  announced_ = false;
 }
 
 void FixAveMicromacro::run_ended() {
-  if (waiting_ == 0 || told_when_) return;
-  told_when_ = true;
+  if (waiting_ == 0 || announced_) return;
+  announced_ = true;
   const LAMMPS_NS::bigint next = (update->ntimestep / write_every_ + 1) * write_every_;
-  tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + std::to_string(waiting_) +
-                 " frames are in no table yet: Nfreq = " + std::to_string(write_every_) +
-                 " makes the next one in step " + std::to_string(next));
+  print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + std::to_string(waiting_) +
+                       " frames are in no table yet: Nfreq = " + std::to_string(write_every_) +
+                       " makes the next one in step " + std::to_string(next));
 }
 
 void FixAveMicromacro::write() {
@@ -215,8 +215,8 @@ void FixAveMicromacro::write() {
   if (forces && has_engine_walls(*modify))
     lines.emplace_back("warning", std::string("contacts with ") + engine_walls + " are not in the averages");
   if ((averaged_.sums.mean() == 0).all())
-    tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
-                   "): no disc lies in the volumes, or is of the types that are averaged");
+    print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
+                         "): no disc lies in the volumes, or is of the types that are averaged");
   write_averages(options_, *averager_, averaged_, lines, outputs);
   if (windows_) averaged_ = {no_sums(options_, *averager_), {}};
 }

@@ -24,6 +24,7 @@
 #include "dialect.h"
 #include "law/agreement.h"
 #include "law/contact_rows.h"
+#include "law/contact_schedule.h"
 #include "law/disc_law.h"
 #include "options/average_options.h"
 #include "output/output_names.h"
@@ -54,13 +55,13 @@ class FixAveMicromacro : public FixWithClock, public ContactObserver, public Fil
   void write();
   void warn_of_change();
   void warn_of_constants() const;
-  void warn_of(const std::string& name, const std::string& keyword, double told) const;
+  void warn_of(const std::string& name, const std::string& keyword, double given) const;
 
   LAMMPS_NS::bigint write_every_ = 0;
   AverageOptions options_;
   std::vector<MaterialConstant> constants_;  // of the first run
   LAMMPS_NS::bigint waiting_ = 0;            // frames not yet in a table
-  bool told_when_ = false;                   // next frame announced since the last one
+  bool announced_ = false;                   // next frame announced since the last one
   bool windows_ = false;                     // each file holds its own frames only
   std::unique_ptr<const Averager> averager_;
   Averaged averaged_;  // on the first rank

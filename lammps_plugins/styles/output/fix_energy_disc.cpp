@@ -149,7 +149,7 @@ std::array<double, 5> FixEnergyDisc::tallies() const {
   return {dashpot_heat_, tangential_work_, first_spring_energy_, now_.dashpot_power, now_.tangential_power};
 }
 
-void FixEnergyDisc::go_on_with(const std::array<double, 5>& tallies) {
+void FixEnergyDisc::set_tallies(const std::array<double, 5>& tallies) {
   dashpot_heat_ = tallies[0];
   tangential_work_ = tallies[1];
   first_spring_energy_ = tallies[2];
@@ -162,7 +162,7 @@ void FixEnergyDisc::go_on_with(const std::array<double, 5>& tallies) {
 void FixEnergyDisc::write_restart(FILE* fp) {
   std::array<double, 5> sums = tallies();
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), 5, MPI_DOUBLE, MPI_SUM, world);
-  go_on_with(comm->me == 0 ? sums : std::array<double, 5>{});
+  set_tallies(comm->me == 0 ? sums : std::array<double, 5>{});
   if (comm->me != 0) return;
   write_state(fp, sums);
 }
@@ -170,7 +170,7 @@ void FixEnergyDisc::write_restart(FILE* fp) {
 void FixEnergyDisc::restart(char* buffer) {
   auto sums = read_state<std::array<double, 5>>(*lmp, *this, buffer);
   if (comm->me != 0) sums.fill(0.0);
-  go_on_with(sums);
+  set_tallies(sums);
   begun_ = true;
 }
 

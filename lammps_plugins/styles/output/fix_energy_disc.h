@@ -22,6 +22,7 @@
 
 #include "dialect.h"
 #include "law/contact_rows.h"
+#include "law/contact_schedule.h"
 #include "physics/contact/contact_law.h"
 
 namespace mikromakro::styles {
@@ -59,7 +60,7 @@ class FixEnergyDisc : public FixOfEngine, public ContactObserver {
   double kinetic_energy() const;
   void update_values();
   std::array<double, 5> tallies() const;
-  void go_on_with(const std::array<double, 5>& tallies);
+  void set_tallies(const std::array<double, 5>& tallies);
 
   std::vector<WallKind> walls_;
   std::vector<ContactRow> rows_;

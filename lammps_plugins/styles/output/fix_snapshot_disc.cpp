@@ -21,7 +21,7 @@ namespace mikromakro::styles {
 
 namespace {
 
-bool on_or_off(Arguments& arguments, const std::string& keyword) {
+bool yes_or_no(Arguments& arguments, const std::string& keyword) {
   const std::string value = arguments.word(keyword);
   if (value != "yes" && value != "no") arguments.fail(keyword + ": expected yes or no, got '" + value + "'");
   return value == "yes";
@@ -37,9 +37,9 @@ FixSnapshotDisc::FixSnapshotDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg
     if (arguments.take_once("file")) {
       file_ = arguments.word("file");
     } else if (arguments.take_once("append")) {
-      append_ = on_or_off(arguments, "append");
+      append_ = yes_or_no(arguments, "append");
     } else if (arguments.take_once("start")) {
-      at_start_ = on_or_off(arguments, "start");
+      at_start_ = yes_or_no(arguments, "start");
     } else if (arguments.take_once("height")) {
       height_ = arguments.positive("height");
     } else {
@@ -116,8 +116,8 @@ void FixSnapshotDisc::begin(const RawFrame& frame) {
     if (append_) dropped = log_->resume(frame);
   });
   if (dropped > 0)
-    tell(*lmp, std::string(style) + ": dropped " + std::to_string(dropped) + " frames after step " +
-                   std::to_string(frame.step) + " from " + file_);
+    print_line(*lmp, std::string(style) + ": dropped " + std::to_string(dropped) + " frames after step " +
+                         std::to_string(frame.step) + " from " + file_);
 }
 
 void FixSnapshotDisc::end_of_step() {

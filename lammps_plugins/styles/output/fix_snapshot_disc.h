@@ -23,6 +23,7 @@
 #include "io/snapshot/snapshot_log.h"
 #include "law/agreement.h"
 #include "law/contact_rows.h"
+#include "law/contact_schedule.h"
 #include "output/output_names.h"
 
 namespace mikromakro::styles {

@@ -48,7 +48,7 @@ FixWallDisc::FixWallDisc(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) : FixW
   clock_ = physics::StepClock(0.0, update->ntimestep, update->dt);
   walls_.add(first_id, settings_.wall.shape == WallShape::flat ? "plane" : "circle", settings_.type);
   walls_.act_on(groupbit, 0);
-  keep_springs_with_atoms();
+  store_springs_with_atoms();
 }
 
 // Called after the restart state, if any, has been read.
@@ -58,7 +58,7 @@ void FixWallDisc::once_defined() {
 
 void FixWallDisc::init() {
   notice_new_count();
-  saved_walls_.tell_of_those_left(*lmp);
+  saved_walls_.warn_of_unclaimed(*lmp);
   follow_time_step(update->ntimestep);
   int before = 0;
   for (const Fix* fix : fixes(*modify)) {
@@ -80,7 +80,7 @@ void FixWallDisc::init() {
 
 // Discs interact with the wall itself only, not with periodic images of it.
 void FixWallDisc::check_periodic_images(const SmoothWall& wall) const {
-  const double reach = wall.radius + largest_radius_;
+  const double extent = wall.radius + largest_radius_;
   const bool flat = wall.shape == WallShape::flat;
   const auto check = [&](bool periodic, double normal, double point, int axis) {
     if (!periodic) return;
@@ -89,12 +89,12 @@ void FixWallDisc::check_periodic_images(const SmoothWall& wall) const {
       stop(*lmp, style,
            "plane: expected a normal without a component along " + name +
                ", in which the box is periodic, got " + text_of(-normal));
-    if (!flat && (point - reach < domain->boxlo[axis] || point + reach > domain->boxhi[axis]))
+    if (!flat && (point - extent < domain->boxlo[axis] || point + extent > domain->boxhi[axis]))
       stop(*lmp, style,
            "circle: expected it, and discs at it, inside the box along " + name +
                ", in which the box is periodic: from " + text_of(domain->boxlo[axis]) + " to " +
-               text_of(domain->boxhi[axis]) + ", got " + text_of(point - reach) + " to " +
-               text_of(point + reach));
+               text_of(domain->boxhi[axis]) + ", got " + text_of(point - extent) + " to " +
+               text_of(point + extent));
   };
   check(domain->xperiodic != 0, wall.outward.x, wall.point.x, 0);
   check(domain->yperiodic != 0, wall.outward.y, wall.point.y, 1);
@@ -161,7 +161,7 @@ double FixWallDisc::apply() {
 // A continued run uses the power of the last step, whose velocities were predicted.
 void FixWallDisc::setup(int /*vflag*/) {
   const double power = apply();
-  if (!goes_on_) power_ = power;
+  if (!continues_) power_ = power;
 }
 
 // Work by the trapezoidal rule from the power at both ends of the step.
@@ -170,7 +170,7 @@ void FixWallDisc::post_force(int /*vflag*/) {
   const double before = power_;
   power_ = apply();
   work_ += (before + power_) / 2 * update->dt;
-  goes_on_ = true;
+  continues_ = true;
 }
 
 double FixWallDisc::sum_of_all_ranks(double value) const {
@@ -222,7 +222,8 @@ void FixWallDisc::write_restart(FILE* file) {
 void FixWallDisc::restart(char* buffer) {
   const auto state = read_state<SavedState>(*lmp, *this, buffer);
   if (!same_place(state.wall, settings_.wall)) {
-    tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
+    print_line(*lmp,
+               "WARNING: fix " + std::string(id) + " (" + style +
                    "): not where the restart file has it: it begins anew at the place that the script gives");
     return;
   }
@@ -232,7 +233,7 @@ void FixWallDisc::restart(char* buffer) {
   start_ = state.start;
   start_time_ = state.start_time;
   if (comm->me == 0) power_ = state.power, work_ = state.work;
-  goes_on_ = true;
+  continues_ = true;
   if (state.wall == settings_.wall) return;
   // A new motion starts from the wall's present position.
   const SmoothWall given = settings_.wall;

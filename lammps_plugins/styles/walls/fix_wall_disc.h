@@ -70,7 +70,7 @@ class FixWallDisc : public FixWithWalls, public FixOnRows {
   double largest_radius_ = 0;  // in the group, at the start of a run (m)
   // For the discs of this rank: power of the wall on them at the last evaluation (W), its work (J).
   double power_ = 0, work_ = 0;
-  bool goes_on_ = false;  // power_ was kept from the last step
+  bool continues_ = false;  // power_ was kept from the last step
   std::array<double, 4> loads_{};
   LAMMPS_NS::bigint step_of_loads_ = -1;
 };

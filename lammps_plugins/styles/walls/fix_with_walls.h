@@ -17,17 +17,17 @@ class FixWithWalls : public FixWithClock, public WallContactSource {
   FixWithWalls(const FixWithWalls&) = delete;
   FixWithWalls& operator=(const FixWithWalls&) = delete;
 
-  double memory_usage() override { return walls_.memory_usage(); }
-  void grow_arrays(int nmax) override { walls_.grow(nmax); }
-  void copy_arrays(int from, int to, int /*delflag*/) override { walls_.copy(from, to); }
-  void set_arrays(int i) override { walls_.clear(i); }
-  int pack_exchange(int i, double* buffer) override { return walls_.pack(i, buffer); }
-  int unpack_exchange(int i, double* buffer) override { return walls_.unpack(i, buffer); }
+  double memory_usage() override { return walls_.springs().memory_usage(); }
+  void grow_arrays(int nmax) override { walls_.springs().grow(nmax); }
+  void copy_arrays(int from, int to, int /*delflag*/) override { walls_.springs().copy(from, to); }
+  void set_arrays(int i) override { walls_.springs().clear(i); }
+  int pack_exchange(int i, double* buffer) override { return walls_.springs().pack(i, buffer); }
+  int unpack_exchange(int i, double* buffer) override { return walls_.springs().unpack(i, buffer); }
 
   int pack_restart(int i, double* buffer) override;
   void unpack_restart(int nlocal, int nth) override;
-  int size_restart(int i) override { return 1 + walls_.packed_size(i); }
-  int maxsize_restart() override { return 1 + walls_.largest_packed_size(); }
+  int size_restart(int i) override { return 1 + walls_.springs().packed_size(i); }
+  int maxsize_restart() override { return 1 + walls_.springs().largest_packed_size(); }
 
   bool append_wall_contacts(int group_bit, std::vector<ContactRow>& rows) const override {
     return walls_.append_contacts(group_bit, rows);
@@ -38,7 +38,7 @@ class FixWithWalls : public FixWithClock, public WallContactSource {
   /// Stops the run in three dimensions, or if atoms have no spin.
   FixWithWalls(LAMMPS_NS::LAMMPS* engine, int narg, char** arg);
   /// Call once the walls have been added.
-  void keep_springs_with_atoms();
+  void store_springs_with_atoms();
 
   SmoothWalls walls_;
   WallsOfRestart saved_walls_;

@@ -21,16 +21,16 @@ using physics::Tangential;
 
 int SmoothWalls::add(int id, const std::string& name, int type) {
   kinds_.push_back({id, type, 0.0});
-  ids_of_springs_.push_back(id);
+  springs_.add_wall(id);
   names_.push_back(name);
   near_.emplace_back();
   loads_.emplace_back();
   return static_cast<int>(kinds_.size()) - 1;
 }
 
-void SmoothWalls::act_on(int group_bit, int but_not_on_bits) {
+void SmoothWalls::act_on(int group_bit, int excluded_bits) {
   group_bit_ = group_bit;
-  excluded_bits_ = but_not_on_bits;
+  excluded_bits_ = excluded_bits;
 }
 
 template <int... numbers>
@@ -112,37 +112,24 @@ std::string SmoothWalls::deepest_cut(const std::vector<physics::SmoothWall>& wal
          (names_[wall_of_worst] == "plane" ? " (the normal NX NY points from the wall to the discs)" : "");
 }
 
-void SmoothWalls::forget_unused_springs() {
-  std::vector<Springs> used;
-  for (int i = 0; i < atom->nlocal; ++i) {
-    if (slots_[i] == no_slot) continue;
-    const Springs& springs = springs_[slots_[i]];
-    const bool needed = touches_walls(i) &&
-                        std::any_of(springs.begin(), springs.end(), [](const auto& s) { return s.touching; });
-    slots_[i] = needed ? static_cast<int>(used.size()) : no_slot;
-    if (needed) used.push_back(springs);
-  }
-  springs_.swap(used);
-}
-
 /// Finds the discs that may touch a wall before the next search: until the next neighbour list build, disc
 /// and wall each move by at most half the skin.
 void SmoothWalls::find_near(const std::vector<physics::SmoothWall>& walls) {
-  forget_unused_springs();
+  springs_.drop_unused(atom->nlocal, [this](int i) { return touches_walls(i); });
   for (auto& of_wall : near_) of_wall.clear();
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!touches_walls(i)) continue;
     const auto position = disc(i).position;
-    const double reach = atom->radius[i] + neighbor->skin;
+    const double cutoff = atom->radius[i] + neighbor->skin;
     for (std::size_t k = 0; k < walls.size(); ++k) {
-      if (physics::nearest_point(walls[k], position).distance < reach) near_[k].push_back(i);
+      if (physics::nearest_point(walls[k], position).distance < cutoff) near_[k].push_back(i);
     }
   }
   walls_then_ = walls;
 }
 
 physics::MovingDisc SmoothWalls::disc(int i) const {
-  if (const auto* row = law_ ? law_->seen(i) : nullptr) {
+  if (const auto* row = law_ ? law_->evaluated_row(i) : nullptr) {
     // Without friction, rows hold no spin.
     const double spin = law_->effects().tangential == Tangential::none ? atom->omega[i][2] : row->spin();
     return {{row->x(), row->y()}, row->velocity(), spin, row->radius()};
@@ -169,15 +156,6 @@ void SmoothWalls::apply(const std::vector<physics::SmoothWall>& walls) {
   if (recording_) recorded_step_ = update->ntimestep;
 }
 
-physics::WallSpring* SmoothWalls::spring_of(int i, int number, bool make) {
-  if (slots_[i] == no_slot) {
-    if (!make) return nullptr;
-    slots_[i] = static_cast<int>(springs_.size());
-    springs_.emplace_back();
-  }
-  return &springs_[slots_[i]][number];
-}
-
 template <Effects effects>
 void SmoothWalls::touch(int number, const physics::SmoothWall& wall, AddedLoads& on_discs) {
   for (const int i : near_[number]) {
@@ -186,7 +164,7 @@ void SmoothWalls::touch(int number, const physics::SmoothWall& wall, AddedLoads&
     const bool contact = at.distance < disc.radius;
     physics::WallSpring none, *spring = &none;
     if constexpr (effects.spring()) {
-      spring = spring_of(i, number, contact);
+      spring = contact ? springs_.find_or_add(i, number) : springs_.find(i, number);
       if (!contact && spring) *spring = {};
     }
     if (!contact) continue;
@@ -239,46 +217,6 @@ bool SmoothWalls::append_contacts(int group_bit, std::vector<ContactRow>& rows) 
     move_to(atom->x[contact.disc], rows.back());
   }
   return true;
-}
-
-int SmoothWalls::packed_size(int i) const {
-  if (slots_[i] == no_slot) return 1;
-  const Springs& springs = springs_[slots_[i]];
-  return 1 + 3 * static_cast<int>(
-                     std::count_if(springs.begin(), springs.end(), [](const auto& s) { return s.touching; }));
-}
-
-int SmoothWalls::pack(int i, double* buffer) const {
-  int size = 1;
-  if (slots_[i] != no_slot) {
-    const Springs& springs = springs_[slots_[i]];
-    for (std::size_t k = 0; k < kinds_.size(); ++k) {
-      if (!springs[k].touching) continue;
-      buffer[size++] = ids_of_springs_[k];
-      buffer[size++] = springs[k].xi;
-      buffer[size++] = springs[k].slip_rate;
-    }
-  }
-  const int count = (size - 1) / 3;
-  buffer[0] = count;
-  return size;
-}
-
-int SmoothWalls::unpack(int i, const double* buffer) {
-  slots_[i] = no_slot;
-  const int count = static_cast<int>(buffer[0]);
-  for (int k = 0; k < count; ++k) {
-    const double* packed = buffer + 1 + 3 * k;
-    for (std::size_t number = 0; number < kinds_.size(); ++number) {
-      if (ids_of_springs_[number] == static_cast<int>(packed[0]))
-        *spring_of(i, static_cast<int>(number), true) = {packed[1], packed[2], true};
-    }
-  }
-  return 1 + 3 * count;
-}
-
-double SmoothWalls::memory_usage() const {
-  return static_cast<double>(slots_.size() * sizeof(int) + springs_.capacity() * sizeof(Springs));
 }
 
 }  // namespace mikromakro::styles

@@ -2,15 +2,16 @@
 // Contacts of discs with the smooth walls of a fix: nearby discs, springs and forces.
 #pragma once
 
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "law/contact_rows.h"
+#include "law/contact_schedule.h"
 #include "physics/contact/contact_law.h"
 #include "physics/walls/smooth_wall.h"
 #include "pointers.h"
+#include "walls/wall_springs.h"
 
 namespace mikromakro::styles {
 
@@ -22,8 +23,6 @@ class DiscLaw;
 /// skin of the neighbour list cost nothing; springs are stored only for touching discs.
 class SmoothWalls : protected LAMMPS_NS::Pointers {
  public:
-  static constexpr int most_walls = 4;
-
   SmoothWalls(LAMMPS_NS::LAMMPS& engine, std::string style) : Pointers(&engine), style_(std::move(style)) {}
 
   /// Adds a wall: its id in contact rows (contact_rows.h), a name for messages, and the atom type that
@@ -32,7 +31,8 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   /// Changes the id in contact rows; springs in restart files keep the id of add().
   void show_as(int number, int id) { kinds_[number].id = id; }
   bool any() const { return !kinds_.empty(); }
-  void act_on(int group_bit, int but_not_on_bits);
+  /// The discs that may touch the walls: those of a group, without those of the excluded groups.
+  void act_on(int group_bit, int excluded_bits);
   const std::vector<WallKind>& kinds() const { return kinds_; }
 
   /// Stops the run if a wall overlaps a disc by half its radius or more. For new walls.
@@ -52,21 +52,11 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   /// True if velocities are predicted for the time of the positions.
   bool velocities_predicted() const { return step_.predicted; }
 
-  // Springs of atom i, for the engine's callbacks of the same names. Packed as: count, then wall id, xi and
-  // slip rate of each.
-  void grow(int nmax) { slots_.resize(nmax, no_slot); }
-  void copy(int from, int to) { slots_[to] = slots_[from]; }
-  void clear(int i) { slots_[i] = no_slot; }
-  int packed_size(int i) const;
-  int largest_packed_size() const { return 1 + 3 * static_cast<int>(kinds_.size()); }
-  static constexpr int largest_size = 1 + 3 * most_walls;
-  int pack(int i, double* buffer) const;
-  int unpack(int i, const double* buffer);
-  double memory_usage() const;
+  /// For the engine's callbacks.
+  WallSprings& springs() { return springs_; }
+  const WallSprings& springs() const { return springs_; }
 
  private:
-  static constexpr int no_slot = -1;
-  using Springs = std::array<physics::WallSpring, most_walls>;
   using Loop = void (SmoothWalls::*)(int number, const physics::SmoothWall& wall, AddedLoads& on_discs);
   struct Recorded {
     int disc;
@@ -80,8 +70,6 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   std::string deepest_cut(const std::vector<physics::SmoothWall>& walls) const;
   void check_group() const;
   void find_near(const std::vector<physics::SmoothWall>& walls);
-  void forget_unused_springs();
-  physics::WallSpring* spring_of(int i, int number, bool make);
   template <physics::Effects effects>
   void touch(int number, const physics::SmoothWall& wall, AddedLoads& on_discs);
   void record(int i, int number, const physics::WallPoint& at, const physics::ContactState& state,
@@ -94,7 +82,6 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   int excluded_bits_ = 0;
   bool has_run_ = false;
   std::vector<WallKind> kinds_;
-  std::vector<int> ids_of_springs_;
   std::vector<std::string> names_;
   std::vector<std::vector<physics::ContactParameters>> parameters_;  // per wall and atom type
   DiscLaw* law_ = nullptr;
@@ -103,8 +90,7 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   // Discs within the skin of each wall, and the walls when these were found.
   std::vector<std::vector<int>> near_;
   std::vector<physics::SmoothWall> walls_then_;
-  std::vector<int> slots_;        // per atom: index into springs_
-  std::vector<Springs> springs_;  // of touching discs; unused ones are dropped in find_near()
+  WallSprings springs_;  // of touching discs; unused ones are dropped in find_near()
   std::vector<physics::WallLoad> loads_;
   ContactSchedule schedule_;
   LAMMPS_NS::bigint recorded_step_ = -1;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/first_rank.h"
+#include "engine/private_member.h"
 #include "lammps.h"
 #include "modify.h"
 
@@ -11,25 +12,15 @@ namespace mikromakro::styles {
 
 using LAMMPS_NS::Modify;
 
-namespace {
-
-// Access to private members: see engine_access.cpp.
-template <class Tag, typename Tag::Type Member>
-struct Grant {
-  friend typename Tag::Type member(Tag /*tag*/) { return Member; }
-};
 struct SavedIds {
-  using Type = char** Modify::*;
-  friend Type member(SavedIds);
+  friend auto member(SavedIds);
 };
 struct SavedStyles {
-  using Type = char** Modify::*;
-  friend Type member(SavedStyles);
+  friend auto member(SavedStyles);
 };
-template struct Grant<SavedIds, &Modify::id_restart_global>;
-template struct Grant<SavedStyles, &Modify::style_restart_global>;
 
-}  // namespace
+template struct PrivateMember<SavedIds, &Modify::id_restart_global>;
+template struct PrivateMember<SavedStyles, &Modify::style_restart_global>;
 
 WallsOfRestart::WallsOfRestart(const LAMMPS_NS::LAMMPS& engine, std::string style)
     : style_(std::move(style)) {
@@ -38,12 +29,12 @@ WallsOfRestart::WallsOfRestart(const LAMMPS_NS::LAMMPS& engine, std::string styl
     if (style_ == (modify.*member(SavedStyles{}))[k]) names_.emplace_back((modify.*member(SavedIds{}))[k]);
 }
 
-void WallsOfRestart::tell_of_those_left(LAMMPS_NS::LAMMPS& engine) {
+void WallsOfRestart::warn_of_unclaimed(LAMMPS_NS::LAMMPS& engine) {
   for (const std::string& name : names_)
     if (engine.modify->find_fix(name.c_str()) < 0)
-      tell(engine,
-           "WARNING: " + style_ + ": the restart file holds the walls of fix " + name +
-               ", which the script does not define: where they stood, and their springs, are left out");
+      print_line(engine,
+                 "WARNING: " + style_ + ": the restart file holds the walls of fix " + name +
+                     ", which the script does not define: where they stood, and their springs, are left out");
   names_.clear();
 }
 

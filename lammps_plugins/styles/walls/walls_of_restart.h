@@ -18,7 +18,7 @@ class WallsOfRestart {
   WallsOfRestart(const LAMMPS_NS::LAMMPS& engine, std::string style);
 
   /// Reports once, at the start of a run, the walls that no fix continues; some engines do not report this.
-  void tell_of_those_left(LAMMPS_NS::LAMMPS& engine);
+  void warn_of_unclaimed(LAMMPS_NS::LAMMPS& engine);
 
  private:
   std::string style_;

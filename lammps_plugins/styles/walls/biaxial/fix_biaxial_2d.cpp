@@ -40,7 +40,7 @@ FixBiaxial2d::FixBiaxial2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg) : FixWi
   walls_.act_on(groupbit, 0);
   reset_references();
 
-  keep_springs_with_atoms();
+  store_springs_with_atoms();
 }
 
 int FixBiaxial2d::calls_wanted() const {
@@ -56,7 +56,7 @@ void FixBiaxial2d::once_defined() {
 
 void FixBiaxial2d::init() {
   notice_new_count();
-  saved_walls_.tell_of_those_left(*lmp);
+  saved_walls_.warn_of_unclaimed(*lmp);
   follow_time_step(update->ntimestep);
   check_rectangle();
   walls_.init(smooth_walls());
@@ -68,7 +68,7 @@ void FixBiaxial2d::setup(int) {
   sum_forces();
   for (int side = 0; side < 4; ++side) {
     Wall& wall = box_[side];
-    if (wall.goes_on) continue;
+    if (wall.continues) continue;
     wall.previous_pressing = wall.pressing;
     if (wall.control.kind == Kind::stress)
       wall.motion.acceleration =
@@ -124,7 +124,7 @@ void FixBiaxial2d::final_integrate() {
     wall.work -= outward[side] * 0.5 * (wall.previous_pressing + wall.pressing) *
                  (wall.motion.position - wall.previous_position);
     wall.previous_pressing = wall.pressing;
-    wall.goes_on = true;
+    wall.continues = true;
   }
 }
 

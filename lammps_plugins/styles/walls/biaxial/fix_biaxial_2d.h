@@ -84,7 +84,7 @@ class FixBiaxial2d : public FixWithWalls, public FixOnRows, public KnowsHeight {
     double work;  // J
     // The run continues with the acceleration and force of the last step, because dashpots see other
     // velocities in the set-up.
-    bool goes_on = false;
+    bool continues = false;
   };
 
   [[nodiscard]] double length(int axis) const;

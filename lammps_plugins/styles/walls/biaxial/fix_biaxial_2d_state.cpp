@@ -39,7 +39,7 @@ void FixBiaxial2d::begin(int side, const WallControl& control) {
   wall.start = wall.motion.position;
   wall.start_time = clock_.time_at(update->ntimestep);
   wall.motion.acceleration = 0.0;
-  wall.goes_on = false;
+  wall.continues = false;
   if (control.kind != Kind::stress) wall.motion.velocity = control.kind == Kind::rate ? control.target : 0.0;
   wall.contact_velocity = wall.motion.velocity;
 }
@@ -146,9 +146,9 @@ void FixBiaxial2d::restart(char* buf) {
     const WallControl wanted = box_[side].control;
     box_[side] = state.box[side];
     if (wanted == box_[side].control) continue;
-    tell(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + biaxial_sides[side] +
-                   ": not the control of the restart file: it begins anew where the wall stands (after "
-                   "fix_modify, give the fix the last controls)");
+    print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + biaxial_sides[side] +
+                         ": not the control of the restart file: it begins anew where the wall stands (after "
+                         "fix_modify, give the fix the last controls)");
     begin(side, wanted);
   }
 }

@@ -24,7 +24,7 @@ FixCouette2d::FixCouette2d(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg)
   size_vector = 9;
   global_freq = 1;
   extscalar = extvector = 0;
-  has_values_of_atoms(2 + SmoothWalls::largest_size);
+  has_values_of_atoms(2 + WallSprings::largest_size);
 
   if (domain->dimension != 2) stop(*lmp, style, "expected 'dimension 2', got dimension 3");
   if (!atom->radius_flag || !atom->omega_flag || !atom->torque_flag)
@@ -66,7 +66,7 @@ void FixCouette2d::once_defined() {
 
 void FixCouette2d::init() {
   notice_new_count();
-  saved_walls_.tell_of_those_left(*lmp);
+  saved_walls_.warn_of_unclaimed(*lmp);
   follow_time_step(update->ntimestep);
   check_groups();
   check_radii();
@@ -232,7 +232,7 @@ double FixCouette2d::compute_vector(int i) {
 }
 
 double FixCouette2d::memory_usage() {
-  return 2.0 * atom->nmax * sizeof(double) + walls_.memory_usage();
+  return 2.0 * atom->nmax * sizeof(double) + walls_.springs().memory_usage();
 }
 
 }  // namespace mikromakro::styles

@@ -134,30 +134,30 @@ void FixCouette2d::adopt_new_wall_discs() {
 
 void FixCouette2d::grow_arrays(int nmax) {
   memory->grow(references_, nmax, 2, "couette/2d:references");
-  walls_.grow(nmax);
+  walls_.springs().grow(nmax);
 }
 
 void FixCouette2d::copy_arrays(int i, int j, int) {
   references_[j][0] = references_[i][0];
   references_[j][1] = references_[i][1];
-  walls_.copy(i, j);
+  walls_.springs().copy(i, j);
 }
 
 void FixCouette2d::set_arrays(int i) {
   references_[i][0] = references_[i][1] = 0.0;
-  walls_.clear(i);
+  walls_.springs().clear(i);
 }
 
 int FixCouette2d::pack_exchange(int i, double* buf) {
   buf[0] = references_[i][0];
   buf[1] = references_[i][1];
-  return 2 + walls_.pack(i, buf + 2);
+  return 2 + walls_.springs().pack(i, buf + 2);
 }
 
 int FixCouette2d::unpack_exchange(int nlocal, double* buf) {
   references_[nlocal][0] = buf[0];
   references_[nlocal][1] = buf[1];
-  return 2 + walls_.unpack(nlocal, buf + 2);
+  return 2 + walls_.springs().unpack(nlocal, buf + 2);
 }
 
 void FixCouette2d::write_restart(FILE* fp) {
@@ -199,7 +199,7 @@ int FixCouette2d::pack_restart(int i, double* buf) {
   buf[0] = size_restart(i);
   buf[1] = references_[i][0];
   buf[2] = references_[i][1];
-  return 3 + walls_.pack(i, buf + 3);
+  return 3 + walls_.springs().pack(i, buf + 3);
 }
 
 void FixCouette2d::unpack_restart(int nlocal, int nth) {
@@ -208,15 +208,15 @@ void FixCouette2d::unpack_restart(int nlocal, int nth) {
   for (int k = 0; k < nth; ++k) start += static_cast<int>(extra[start]);
   references_[nlocal][0] = extra[start + 1];
   references_[nlocal][1] = extra[start + 2];
-  walls_.unpack(nlocal, extra + start + 3);
+  walls_.springs().unpack(nlocal, extra + start + 3);
 }
 
 int FixCouette2d::size_restart(int i) {
-  return 3 + walls_.packed_size(i);
+  return 3 + walls_.springs().packed_size(i);
 }
 
 int FixCouette2d::maxsize_restart() {
-  return 3 + walls_.largest_packed_size();
+  return 3 + walls_.springs().largest_packed_size();
 }
 
 }  // namespace mikromakro::styles

@@ -15,10 +15,10 @@ namespace mikromakro::physics {
 /// Cutoff gap [m] of the inner list: pairs with a wider gap are skipped until two discs may have approached
 /// by that much. Affects speed only, never results. With v the path of the fastest disc per step [m], pruning
 /// is due every gap/2v steps and costs about two thirds of an evaluation of the touching pairs (measured).
-/// Near pairs that do not touch add about 0.55 sqrt(gap/skin) to each evaluation (measured in packings: 0.18
-/// at gap/skin = 0.08, 0.24 at 0.21). The total cost, 4/3 v/gap + 0.55 sqrt(gap/skin), is minimal at
+/// Listed pairs that do not touch add about 0.55 sqrt(gap/skin) to each evaluation (measured in packings:
+/// 0.18 at gap/skin = 0.08, 0.24 at 0.21). The total cost, 4/3 v/gap + 0.55 sqrt(gap/skin), is minimal at
 /// gap^(3/2) = 4.85 v sqrt(skin).
-inline double near_gap(double fastest_path, double skin) {
+inline double inner_gap(double fastest_path, double skin) {
   return std::clamp(std::cbrt(23.5 * fastest_path * fastest_path * skin), skin / 100, skin);
 }
 
@@ -29,13 +29,13 @@ inline double near_gap(double fastest_path, double skin) {
   return d[0] * d[0] + d[1] * d[1] <= limit * limit;
 }
 
-class NearPairs {
+class InnerList {
  public:
-  /// Prunes the list `all` to the pairs within `gap` and those marked in `touched` (empty: none marked).
+  /// Takes from the list `all` the pairs within `gap` and those marked in `touched` (empty: none marked).
   /// Branch-free, since which pairs are near is unpredictable. `ahead`: prefetch distance in pairs (0: all
   /// data are already in cache).
-  [[gnu::always_inline]] void find(const std::vector<DiscPair>& all, const DiscRow* discs,
-                                   const std::vector<char>& touched, double gap, std::size_t ahead = 0) {
+  [[gnu::always_inline]] void prune(const std::vector<DiscPair>& all, const DiscRow* discs,
+                                    const std::vector<char>& touched, double gap, std::size_t ahead = 0) {
     numbers_.resize(all.size());
     int count = 0;
     for (std::size_t n = 0; n < all.size(); ++n) {
@@ -49,7 +49,8 @@ class NearPairs {
     for (int k = 0; k < count; ++k) pairs_[k] = all[numbers_[k]];
     if (!touched.empty()) springs_.resize((count + ContactBatch::lanes - 1) / ContactBatch::lanes);
   }
-  /// Sets the spring of pair k; for laws with a spring, call it for each pair found.
+  /// Sets the tangential displacement xi [m] and slip rate [m/s] of pair k; for laws with a spring, call it
+  /// for each pair found.
   void set_spring(int k, bool touched, double xi, double slip_rate) {
     springs(k).xi[lane(k)] = xi;
     springs(k).slip_rate[lane(k)] = slip_rate;
@@ -67,7 +68,7 @@ class NearPairs {
   /// Springs of the batch that contains pair k.
   SpringLanes& springs(int k) { return springs_[k / ContactBatch::lanes]; }
   /// Prefetches the springs of `count` pairs from `first` on, which must be in one batch.
-  void fetch_springs(int first, int count) {
+  void prefetch_springs(int first, int count) {
     for (int k = 0; k < count; k += 8) {
       __builtin_prefetch(&springs(first).xi[k], 1);
       __builtin_prefetch(&springs(first).slip_rate[k], 1);
