@@ -177,6 +177,14 @@ void DiscLaw::observe(const Evaluation& evaluation, const physics::ContactBatch&
 }
 
 void DiscLaw::abort_at_coincident_centres(const DiscPair& pair) const {
+  for (const int i : {pair.i, pair.j}) {
+    const physics::DiscRow& row = shared_.packed.discs[i];
+    if (!std::isfinite(row.x() + row.y()))
+      abort_run(*lmp, style(),
+                "disc " + std::to_string(atom->tag[i]) + " is at no number (nan or inf) in step " +
+                    std::to_string(rows_step_) +
+                    ": a fix gave it a force or velocity that is none, a direction of length 0 for example");
+  }
   abort_run(*lmp, style(),
             "discs " + std::to_string(atom->tag[pair.i]) + " and " + std::to_string(atom->tag[pair.j]) +
                 " have the same centre in step " + std::to_string(rows_step_) +
