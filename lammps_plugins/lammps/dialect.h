@@ -75,12 +75,12 @@ class FixWithClock : public FixOfEngine {
   virtual int calls_wanted() const = 0;
   virtual void once_defined() {}
   virtual void run_ended() {}
-  virtual void count_steps_anew(LAMMPS_NS::bigint shift) = 0;
+  virtual void renumber_steps(LAMMPS_NS::bigint shift) = 0;
   /// Call between two runs, before the fix uses a step number.
   void notice_new_count() {
     const LAMMPS_NS::bigint shift = update->ntimestep - last_step_;
     last_step_ = update->ntimestep;
-    if (shift != 0) count_steps_anew(shift);
+    if (shift != 0) renumber_steps(shift);
   }
 
  private:

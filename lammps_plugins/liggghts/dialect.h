@@ -52,7 +52,7 @@ class FixWithClock : public FixOfEngine {
   void post_create() final { once_defined(); }
   void post_run() final { run_ended(); }
   void reset_timestep(LAMMPS_NS::bigint newstep, LAMMPS_NS::bigint oldstep) final {
-    count_steps_anew(newstep - oldstep);
+    renumber_steps(newstep - oldstep);
   }
 
  protected:
@@ -60,7 +60,7 @@ class FixWithClock : public FixOfEngine {
   virtual int calls_wanted() const = 0;
   virtual void once_defined() {}
   virtual void run_ended() {}
-  virtual void count_steps_anew(LAMMPS_NS::bigint shift) = 0;
+  virtual void renumber_steps(LAMMPS_NS::bigint shift) = 0;
   /// Nothing to do: the engine notifies the fix directly.
   void notice_new_count() {}
 };

@@ -17,12 +17,12 @@ namespace mikromakro {
 namespace {
 
 // Reads discs and their types only.
-void for_each_frame(FrameSource source, const std::function<bool(const Frame&)>& go_on) {
+void for_each_frame(FrameSource source, const std::function<bool(const Frame&)>& keep_going) {
   source.notes = std::make_shared<Notes>();  // the first pass has reported everything
   source.particles_needed = column_set(ParticleColumn::type) & source.particles_needed;
   FrameStream stream(source);
   Frame frame;
-  while (stream.next(frame) && go_on(frame)) {
+  while (stream.next(frame) && keep_going(frame)) {
   }
 }
 

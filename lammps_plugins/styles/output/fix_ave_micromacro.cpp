@@ -178,7 +178,7 @@ void FixAveMicromacro::warn_of(const std::string& name, const std::string& keywo
   }
 }
 
-void FixAveMicromacro::count_steps_anew(LAMMPS_NS::bigint /*shift*/) {
+void FixAveMicromacro::renumber_steps(LAMMPS_NS::bigint /*shift*/) {
   averaged_ = {no_sums(options_, *averager_), {}};
   waiting_ = 0;
 }

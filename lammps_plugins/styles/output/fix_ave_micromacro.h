@@ -47,7 +47,7 @@ class FixAveMicromacro : public FixWithClock, public ContactObserver, public Fil
 
  protected:
   int calls_wanted() const override;
-  void count_steps_anew(LAMMPS_NS::bigint shift) override;
+  void renumber_steps(LAMMPS_NS::bigint shift) override;
   void run_ended() override;
 
  private:

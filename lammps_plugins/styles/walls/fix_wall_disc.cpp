@@ -143,7 +143,7 @@ void FixWallDisc::reset_dt() {
   follow_time_step(update->ntimestep);
 }
 
-void FixWallDisc::count_steps_anew(LAMMPS_NS::bigint shift) {
+void FixWallDisc::renumber_steps(LAMMPS_NS::bigint shift) {
   clock_.shift_steps(shift);
   step_of_loads_ = -1;
 }

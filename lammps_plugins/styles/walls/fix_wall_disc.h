@@ -52,7 +52,7 @@ class FixWallDisc : public FixWithWalls, public FixOnRows {
  protected:
   int calls_wanted() const override { return LAMMPS_NS::FixConst::POST_FORCE; }
   void once_defined() override;
-  void count_steps_anew(LAMMPS_NS::bigint shift) override;
+  void renumber_steps(LAMMPS_NS::bigint shift) override;
 
  private:
   [[nodiscard]] physics::SmoothWall wall_at(LAMMPS_NS::bigint step) const;

@@ -188,19 +188,18 @@ FrameStream::FrameStream(const FrameSource& source)
 // The first frame of each run, every 64th, and those with a quarter more or a fifth fewer contacts than any
 // frame checked so far: a run that starts with separated discs has no contacts to check in its first frame,
 // and a frame that has lost rows may occur anywhere.
-bool FrameStream::is_looked_at_closely(std::int64_t step) {
+bool FrameStream::is_checked_closely(std::int64_t step) {
   constexpr std::int64_t seldom = 64;
   if (!of_all_ranks_.contains(index_, step)) return false;
-  if (last_selected_run_ != format_->run())
-    selected_of_run_ = most_rows_looked_at_ = least_rows_looked_at_ = 0;
+  if (last_selected_run_ != format_->run()) selected_of_run_ = most_rows_checked_ = least_rows_checked_ = 0;
   last_selected_run_ = format_->run();
   ++selected_;
   const std::int64_t number = selected_of_run_++, rows = format_->contact_rows();
   const bool unlike = rows < 0 ? std::has_single_bit(static_cast<std::uint64_t>(number))
-                               : 4 * rows > 5 * most_rows_looked_at_ || 5 * rows < 4 * least_rows_looked_at_;
+                               : 4 * rows > 5 * most_rows_checked_ || 5 * rows < 4 * least_rows_checked_;
   if (number % seldom != 0 && !unlike) return false;
-  most_rows_looked_at_ = std::max(most_rows_looked_at_, rows);
-  least_rows_looked_at_ = number == 0 ? rows : std::min(least_rows_looked_at_, rows);
+  most_rows_checked_ = std::max(most_rows_checked_, rows);
+  least_rows_checked_ = number == 0 ? rows : std::min(least_rows_checked_, rows);
   return true;
 }
 
@@ -214,7 +213,7 @@ UnpackFrame FrameStream::take_raw() {
     ++index_;
     // Time steps restart with each run.
     over_ = one_run_ ? selection_.over_after(index_, step) : index_ >= selection_.last;
-    closely_ = is_looked_at_closely(step);
+    closely_ = is_checked_closely(step);
     if (!selection_.contains(index_, step)) continue;
     // Empty if a file was truncated.
     if (UnpackFrame unpack = format_->take(closely_)) return unpack;

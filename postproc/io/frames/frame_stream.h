@@ -95,7 +95,7 @@ class FrameStream {
  private:
   UnpackFrame take_raw();
   void note_last_frame();
-  bool is_looked_at_closely(std::int64_t step);
+  bool is_checked_closely(std::int64_t step);
 
   FrameSelection selection_, of_all_ranks_;
   double density_;
@@ -110,7 +110,7 @@ class FrameStream {
   std::int64_t selected_ = 0;  ///< frames of all ranks so far
   std::int64_t last_selected_run_ = -1;
   std::int64_t selected_of_run_ = 0;
-  std::int64_t most_rows_looked_at_ = 0, least_rows_looked_at_ = 0;  ///< contact rows per frame of that run
+  std::int64_t most_rows_checked_ = 0, least_rows_checked_ = 0;  ///< contact rows per frame of that run
   bool closely_ = false;
   bool over_ = false;
 };

@@ -10,8 +10,8 @@ namespace mikromakro {
 
 /// A number of a JSON object by its key; nan where there is none.
 inline double json_number(const std::string& json, const std::string& key) {
-  const auto at = json.find(std::string("\"").append(key).append("\": "));
-  return at == std::string::npos ? std::nan("") : std::strtod(json.c_str() + at + key.size() + 4, nullptr);
+  const auto at = json.find(std::string("\"").append(key).append("\":"));
+  return at == std::string::npos ? std::nan("") : std::strtod(json.c_str() + at + key.size() + 3, nullptr);
 }
 
 }  // namespace mikromakro

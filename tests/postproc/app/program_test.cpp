@@ -194,7 +194,7 @@ TEST(Fit, ExactTableGivesItsParameters) {
   EXPECT_NEAR(number("v0_scaled_least"), 0.5, 1e-10);
   // The rings tell v0 and s, and nothing about how well they are known.
   for (const std::string key : {"v0_err", "v0_low", "v0_high", "s_low", "s_high", "v0_scaled_high"})
-    EXPECT_NE(ran.out.find("\"" + key + "\": null"), std::string::npos) << key;
+    EXPECT_NE(ran.out.find("\"" + key + "\":null"), std::string::npos) << key;
 }
 
 TEST(Fit, TellsTheUnitOfTheColumn) {

@@ -70,7 +70,7 @@ class FixBiaxial2d : public FixWithWalls, public FixOnRows, public KnowsHeight {
   int calls_wanted() const override;
   void once_defined() override;
   void run_ended() override;
-  void count_steps_anew(LAMMPS_NS::bigint shift) override;
+  void renumber_steps(LAMMPS_NS::bigint shift) override;
 
  private:
   // A moving wall: start of its present control, and work since the last reset.

@@ -121,7 +121,7 @@ void FixBiaxial2d::reset_dt() {
   follow_time_step(update->ntimestep);
 }
 
-void FixBiaxial2d::count_steps_anew(LAMMPS_NS::bigint shift) {
+void FixBiaxial2d::renumber_steps(LAMMPS_NS::bigint shift) {
   clock_.shift_steps(shift);
 }
 

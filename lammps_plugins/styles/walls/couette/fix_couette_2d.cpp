@@ -112,7 +112,7 @@ void FixCouette2d::reset_dt() {
   follow_time_step(update->ntimestep);
 }
 
-void FixCouette2d::count_steps_anew(LAMMPS_NS::bigint shift) {
+void FixCouette2d::renumber_steps(LAMMPS_NS::bigint shift) {
   clock_.shift_steps(shift);
   step_of_loads_ = -1;
 }

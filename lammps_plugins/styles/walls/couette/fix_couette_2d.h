@@ -92,7 +92,7 @@ class FixCouette2d : public FixWithClock, public WallContactSource, public FixOn
  protected:
   int calls_wanted() const override;
   void once_defined() override;
-  void count_steps_anew(LAMMPS_NS::bigint shift) override;
+  void renumber_steps(LAMMPS_NS::bigint shift) override;
 
  private:
   using Rings = std::array<physics::RingState, 2>;  // inner, outer
