@@ -45,7 +45,8 @@ void complete(AuditOptions& options) {
   if (options.volumes.height == 0) options.units = {"N/m", "m^2"};
   options.volumes.height = thickness(options.volumes);
   FieldChoice stiffness{{"stress"}, {}};
-  if (!std::isnan(options.kn)) stiffness.numbers.normal_stiffness = options.kn;
+  options.kn_given = !std::isnan(options.kn);
+  if (options.kn_given) stiffness.numbers.normal_stiffness = options.kn;
   take_stiffness(source, options.volumes.bulk_types, stiffness);
   if (stiffness.stiffness_of_run > 0) options.kn = stiffness.stiffness_of_run;
   VolumeOptions volumes = options.volumes;

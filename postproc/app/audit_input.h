@@ -17,6 +17,7 @@ struct AuditOptions {
   std::vector<int> wheel_types;
   double margin = 0;
   double kn = std::numeric_limits<double>::quiet_NaN();
+  bool kn_given = false;  ///< by the user, not by the files
   double bound = std::numeric_limits<double>::quiet_NaN();
   AuditUnits units;
   bool json = false;

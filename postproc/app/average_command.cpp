@@ -103,12 +103,13 @@ Task task_of(const CommandOptions& options, const Ranks& ranks) {
   return task;
 }
 
-// In half of the volumes, since weights by centres may crowd single ones.
+// Weights by centres may crowd volumes.
 void note_crowded(const Task& task, const Averaged& averaged) {
   const Table table = task.averager->solve(averaged.sums.mean());
   const auto nu = std::find_if(table.columns.begin(), table.columns.end(),
                                [](const Column& one) { return one.name == "nu"; });
   if (nu == table.columns.end()) return;
+  if (task.options.volumes.weight == "centre") return;
   constexpr double overlaps = 0.05;
   if (2 * (table.rows.col(nu - table.columns.begin()) > 1 + overlaps).count() > table.rows.rows())
     tell(
@@ -131,7 +132,7 @@ void write(const CommandOptions& options, const Task& task, const Averaged& aver
 void average(const CommandOptions& options, const Ranks& ranks) {
   Task task;
   ranks.agree([&] { task = task_of(options, ranks); });
-  const double stiffness = stiffness_of(task.options.fields);
+  const double stiffness = options.average.fields.numbers.normal_stiffness;  // as given
   const bool with_forces = needs_forces(*task.averager);
   const SumFrame sum = [&](const Frame& frame) {
     note_stiffness(frame, stiffness, *task.source.notes);

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "app/averaging_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
+#include <limits>
+#include <mutex>
+#include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "app/coverage.h"
@@ -29,6 +35,37 @@ void check_found(const FrameSource& source, const VolumeOptions& volumes, const 
   note_unlike_runs(source);
   if (runs.any_zero()) note_empty_frames(source, volumes, runs.all_zero());
 }
+
+// Number and mean position of the discs of the first frame: the same for a file by any name and in any
+// format.
+class FirstFrame {
+ public:
+  void look(const Frame& frame) {
+    const std::scoped_lock lock(mutex_);
+    const auto here = std::pair(frame.run, frame.index);
+    if (!(here < first_) || frame.particles.empty()) return;
+    first_ = here;
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const Particle& disc : frame.particles) sum += disc.position;
+    const Eigen::Vector2d mean = sum / static_cast<double>(frame.particles.size());
+    text_ =
+        fmt::format("{} discs, mean position {:.5g} {:.5g} m", frame.particles.size(), mean.x(), mean.y());
+  }
+  /// Of all ranks. By run and frame in the order of texts, of which there is one from each rank.
+  std::string text(const Ranks& ranks) const {
+    Notes firsts;
+    if (!text_.empty()) firsts.add(fmt::format("{:020} {:020} {}", first_.first, first_.second, text_));
+    ranks.gather(firsts);
+    const std::vector<std::string> all = firsts.lines();
+    constexpr std::size_t numbers = 42;
+    return all.empty() ? "" : all.front().substr(numbers);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::pair<std::int64_t, std::int64_t> first_ = {std::numeric_limits<std::int64_t>::max(), 0};
+  std::string text_;
+};
 
 constexpr const char* goes_on =
     "a run goes on where another ended; as runs they count as independent (pieces of one run? all files "
@@ -91,11 +128,13 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
   std::int64_t all_bytes = 0;
   ranks.agree([&] { all_bytes = total_size(source.files()); });
   Progress progress(all_bytes, options.quiet || !ranks.first());
-  Averaged averaged{std::move(sums), {}, {}};
+  Averaged averaged{std::move(sums), {}, {}, {}};
+  FirstFrame first;
   std::atomic<std::int64_t> bytes = 0;
   TypesSeen types("--bulk-types", volumes.bulk_types);
   const SumFrame look_and_sum = [&](const Frame& frame) {
     types.look(frame);
+    first.look(frame);
     note_volumes(frame, volumes, *source.notes);
     return sum(frame);
   };
@@ -131,6 +170,7 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
   ranks.agree([&] {
     if (ranks.first()) check_found(source, volumes, types, averaged, runs);
   });
+  averaged.first_frame = first.text(ranks);
   if (ranks.first()) tell(*source.notes);
   return averaged;
 }

@@ -61,6 +61,19 @@ const std::vector<double>& numbers_of(const VolumeOptions& volumes) {
   return volumes.grid.empty() ? volumes.box : volumes.grid;
 }
 
+// Whether discs in this region may be expected in the volumes: a dilute gas may leave a small volume empty.
+bool surrounds(const Extent& discs, const VolumeOptions& volumes) {
+  const auto overlap = [](const Limits& one, double low, double high) {
+    return one.low < high && one.high > low;
+  };
+  const std::vector<double>& grid = volumes.grid;
+  const std::vector<double>& box = volumes.box;
+  if (!grid.empty()) return overlap(discs.x, grid[0], grid[1]) && overlap(discs.y, grid[3], grid[4]);
+  if (!box.empty()) return overlap(discs.x, box[0], box[1]) && overlap(discs.y, box[2], box[3]);
+  const std::vector<double> edges = ring_edges(volumes);
+  return overlap(discs.r, edges.front(), edges.back());
+}
+
 // What the frames of a run contain.
 struct RunContents {
   Extent discs;  // those that are averaged
@@ -152,7 +165,9 @@ void note_empty_frames(const FrameSource& source, const VolumeOptions& volumes,
     const bool outside = !empty && (averager->frame_sums(frame) == 0).all();
     run.covered = run.covered || !(empty || outside);
     if (empty) run.empty_steps.push_back(frame.step);
-    if (outside) run.outside_steps.push_back(frame.step);
+    Extent of_frame;
+    of_frame.add(frame, volumes);
+    if (outside && !surrounds(of_frame, volumes)) run.outside_steps.push_back(frame.step);
     return true;
   });
   for (const auto& [number, run] : runs) {

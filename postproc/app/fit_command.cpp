@@ -114,12 +114,12 @@ void check_comparable(const CsvTable& table, const CsvTable& first, const std::s
                     fmt::format("{:.6g} to {:.6g}", r.minCoeff(), r.maxCoeff()));
 }
 
-// What `average` says of its input above a table.
+// What `average` says of its frames and discs above a table. Names of files may be written in several ways.
 std::set<std::string> input_lines(const CsvTable& table) {
   std::set<std::string> lines;
   for (const std::string& line : table.comments())
     for (const std::string_view name :
-         {"snapshots: ", "particles: ", "frames: ", "bulk types: ", "density: ", "frames of "})
+         {"frames: ", "first frame: ", "center: ", "bulk types: ", "frames of "})
       if (line.starts_with(name)) lines.insert(line);
   return lines;
 }

@@ -4,8 +4,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
 #include "app/warnings.h"
 #include "io/files/file_list.h"
+#include "io/hdf5/hdf5_file.h"
+#include "io/snapshot/snapshot_summary.h"
 #include "model/error.h"
 #include "options/value_checks.h"
 
@@ -47,10 +54,25 @@ void add_input_options(CLI::App& app, InputOptions& options) {
 
 namespace {
 
+// Pieces of a run by their first steps.
+std::vector<std::string> in_order(std::vector<std::string> files) {
+  if (files.size() < 2) return files;
+  std::vector<std::pair<std::int64_t, std::string>> by_step;
+  for (std::string& file : files) {
+    const std::vector<std::int64_t> steps = summarise_snapshots(Hdf5File::open(file), file).steps;
+    by_step.emplace_back(steps.empty() ? 0 : steps.front(), std::move(file));
+  }
+  std::stable_sort(by_step.begin(), by_step.end(),
+                   [](const auto& one, const auto& other) { return one.first < other.first; });
+  std::transform(by_step.begin(), by_step.end(), files.begin(),
+                 [](auto& piece) { return std::move(piece.second); });
+  return files;
+}
+
 std::vector<Run> snapshot_runs(const InputOptions& options) {
   std::vector<Run> runs;
-  if (!options.snapshots.empty()) runs.push_back({{}, {}, expand_files(options.snapshots)});
-  for (const auto& files : options.snapshot_runs) runs.push_back({{}, {}, expand_files(files)});
+  if (!options.snapshots.empty()) runs.push_back({{}, {}, in_order(expand_files(options.snapshots))});
+  for (const auto& files : options.snapshot_runs) runs.push_back({{}, {}, in_order(expand_files(files))});
   return runs;
 }
 

@@ -25,12 +25,13 @@ void note_walls(const Frame& frame, const InputOptions& input, Notes& notes);
 /// than 2 %, from the mean overlap over the mean diameter.
 void note_branch(const Frame& frame, const VolumeOptions& volumes, Notes& notes);
 
-/// Notes if more than a tenth of a sample of contacts carry |f_t| > mu |f_n|. Does nothing for 0.
+/// Notes if, in half of the frames, more than a tenth of a sample of contacts carry |f_t| > mu |f_n|, or
+/// several have one and the same largest ratio below mu. Does nothing for 0.
 void note_friction(const Frame& frame, double mu, Notes& notes);
 
-/// Notes if `normal_stiffness` (N/m) lies outside of the middle 90 % of f_n/overlap over a sample of contacts
-/// by more than a tenth, within which dashpots scatter it; for fewer than 20 contacts, if the median differs
-/// by more than a factor of three. Does nothing for 0, or if fewer than five contacts have both.
+/// Notes if, in half of the frames, `normal_stiffness` (N/m) is not that of f_n/overlap over a sample of
+/// contacts: by a tenth if these are alike, by a factor of ten if dashpots scatter them. Does nothing for 0,
+/// or if fewer than five contacts have both.
 void note_stiffness(const Frame& frame, double normal_stiffness, Notes& notes);
 
 }  // namespace mikromakro

@@ -70,6 +70,12 @@ std::set<double> stiffnesses(const RunConstants& constants, const std::vector<in
   return values;
 }
 
+// From the first to the last frame; nan if there is one frame.
+double time_step_of(const SnapshotSummary& summary) {
+  return (summary.times.back() - summary.times.front()) /
+         static_cast<double>(summary.steps.back() - summary.steps.front());
+}
+
 bool takes_stiffness(const FieldChoice& fields) {
   const std::vector<std::string>& names = fields.names;
   return names.empty() || std::any_of(names.begin(), names.end(), [](const std::string& name) {
@@ -134,11 +140,16 @@ void note_other_runs(const FrameSource& source) {
     if (differ(constants.friction, there.friction)) note("other mu");
   }
   for (const Run& run : source.runs()) {
-    double last = not_given;
+    double last = not_given, step_before = not_given;
     for (const std::string& file : run.snapshot_files) {
-      const std::vector<double> times = summarise_snapshots(Hdf5File::open(file), file).times;
+      const SnapshotSummary summary = summarise_snapshots(Hdf5File::open(file), file);
+      const std::vector<double>& times = summary.times;
       if (times.empty()) continue;
-      if (times.front() < last)
+      // Engines count time anew after a restart, with the same time step.
+      const double time_step = time_step_of(summary);
+      const bool other_step = !same(time_step, step_before);
+      step_before = time_step;
+      if (times.front() < last && other_step)
         source.notes->add(
             fmt::format("{}: times go back to {} s from {} s, though steps go on (another run, or another "
                         "time step? runs are --snapshots each)",

@@ -315,7 +315,7 @@ void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>
 /// scatters.
 void note_size_of_springs(const std::vector<Contact>& contacts, Notes& notes, std::int64_t step) {
   constexpr std::size_t enough = 20;
-  constexpr double most = 100;
+  constexpr double most = 20;
   double tangential = 0, springs = 0, normal = 0, overlaps = 0;
   std::size_t count = 0;
   for (const Contact& contact : contacts) {
@@ -329,12 +329,11 @@ void note_size_of_springs(const std::vector<Contact>& contacts, Notes& notes, st
   }
   if (count < enough || !(tangential > 0 && normal > 0)) return;
   const double ratio = tangential / springs * overlaps / normal;
-  if (ratio > most || ratio < 1 / most)
-    notes.add(
-        "f_t over the tangential springs is not within a hundred times f_n over the overlaps (springs of "
-        "another unit, or "
-        "another quantity in their column?)",
-        step);
+  notes.judge(
+      "f_t over the tangential springs is not within a factor of twenty of f_n over the overlaps (springs of "
+      "another unit, or "
+      "another quantity in their column?)",
+      ratio > most || ratio < 1 / most, step);
 }
 
 }  // namespace

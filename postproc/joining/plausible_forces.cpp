@@ -15,12 +15,9 @@ struct Push {
   double all = 0;      // sum |f|
   std::size_t count = 0;
 
-  static constexpr std::size_t few = 5;
+  static constexpr std::size_t few = 5, many = 20;
   double mean() const { return all / static_cast<double>(count); }
-  bool is_none() const {
-    constexpr std::size_t many = 20;
-    return count >= few && all > 0 && pushing < (count < many ? -0.25 : 0.25) * all;
-  }
+  bool is_none() const { return count >= few && all > 0 && pushing < (count < many ? -0.25 : 0.25) * all; }
 };
 
 Push push_of(const std::vector<Contact>& contacts, std::size_t stride, bool of_walls) {
@@ -43,33 +40,36 @@ void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules
   const bool none =
       some.all == 0 && std::all_of(contacts.begin(), contacts.end(),
                                    [](const Contact& contact) { return contact.force.isZero(0); });
-  if (none) rules.notes->add("all forces are 0 though discs overlap (another column?)", rules.step);
+  rules.notes->judge("all forces are 0 though discs overlap (another column?)", none, rules.step);
   // A few collisions may carry most of the force, so the sample need not be representative.
-  if (some.is_none() && push_of(contacts, 1, false).is_none())
-    rules.notes->add(
-        "contacts pull on the whole, or their forces are across (ids or columns exchanged? forces on the "
-        "other disc?); without cohesion they push",
-        rules.step);
+  const bool pull = some.is_none() && push_of(contacts, 1, false).is_none();
+  constexpr const char* text =
+      "contacts pull on the whole, or their forces are across (ids or columns exchanged? forces on the "
+      "other disc?); without cohesion they push";
+  // Few discs may all be rebounding.
+  if (some.count >= Push::many) {
+    if (pull) rules.notes->add(text, rules.step);
+  } else {
+    rules.notes->judge(text, pull, rules.step);
+  }
 }
 
 void note_wall_forces(const std::vector<Contact>& contacts, const ContactRules& rules) {
   if (rules.notes == nullptr || contacts.empty()) return;
   const Push walls = push_of(contacts, 1, true);
   if (walls.count < Push::few) return;
-  if (walls.all == 0)
-    rules.notes->add("all forces of walls are 0 though discs touch them (another column?)", rules.step);
+  rules.notes->judge("all forces of walls are 0 though discs touch them (another column?)", walls.all == 0,
+                     rules.step);
   constexpr std::size_t enough = 64;
-  constexpr double most = 100;
+  constexpr double most = 300;
   const Push pairs = push_of(contacts, 1 + (contacts.size() - 1) / enough, false);
-  if (pairs.count >= Push::few && pairs.all > 0 && walls.mean() > most * pairs.mean())
-    rules.notes->add(
-        "forces of walls are more than a hundred times those of pairs of discs, on average (another unit?)",
-        rules.step);
-  if (walls.is_none())
-    rules.notes->add(
-        "walls pull on the whole, or their forces are across (forces on the wall? columns exchanged?); the "
-        "force is the one on the disc, and without adhesion walls push",
-        rules.step);
+  rules.notes->judge(
+      "forces of walls are hundreds of times those of pairs of discs, on average (another unit?)",
+      pairs.count >= Push::few && pairs.all > 0 && walls.mean() > most * pairs.mean(), rules.step);
+  rules.notes->judge(
+      "walls pull on the whole, or their forces are across (forces on the wall? columns exchanged?); the "
+      "force is the one on the disc, and without adhesion walls push",
+      walls.is_none(), rules.step);
 }
 
 void note_derived_overlaps(const RawFrame& raw, const std::vector<Contact>& contacts,

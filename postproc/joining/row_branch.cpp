@@ -12,6 +12,12 @@ using Eigen::Vector2d;
 constexpr ColumnSet normal_columns = column_set(nx, ny);
 constexpr ColumnSet place_columns = column_set(x1, y1, x2, y2);
 
+// As far as the row says.
+bool touches(const RowView& row) {
+  return (row.has(overlap) && row[overlap] > 0) ||
+         (row.has(column_set(fx, fy)) && !row.place(fx, fy).isZero(0));
+}
+
 }  // namespace
 
 Vector2d RowBranch::of(const RowView& row, const Vector2d& between, double reach, double slack) const {
@@ -28,7 +34,9 @@ Vector2d RowBranch::of(const RowView& row, const Vector2d& between, double reach
 
 Vector2d RowBranch::by_places(const RowView& row, double reach, double slack) const {
   Vector2d branch = row.place(x2, y2) - row.place(x1, y1);
-  if (row.has(periodic) && row[periodic] == 0) return branch;
+  // Not through an image; but LIGGGHTS wraps places in these rows, and not in its dumps, between two lists.
+  if (row.has(periodic) && row[periodic] == 0)
+    return branch.norm() <= reach + slack || !touches(row) ? branch : images_.nearest(branch);
   if (row.has(periodic) && !images_.any() && branch.norm() > reach + slack)
     throw bad_input(rows_.place(row.index), "a contact through a periodic boundary in a box that has none",
                     "a periodic box in the dump of particles ('ITEM: BOX BOUNDS pp ...')", "periodic = 1");

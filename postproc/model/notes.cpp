@@ -10,6 +10,9 @@
 namespace mikromakro {
 namespace {
 
+// Prefix of the frames in which a finding was looked for; texts of notes are printable.
+const std::string judged = "\x01";
+
 std::string line_of(const std::string& text, const std::map<std::int64_t, std::int64_t>& counts) {
   const auto frames = std::ssize(counts) - static_cast<std::int64_t>(counts.count(Notes::whole));
   const auto times =
@@ -32,6 +35,11 @@ void Notes::add(std::string_view text, std::int64_t step, std::int64_t count) {
   found->second[step] = count;
 }
 
+void Notes::judge(std::string_view text, bool found, std::int64_t step, std::int64_t count) {
+  if (found) add(text, step, count);
+  add(judged + std::string(text), step);
+}
+
 void Notes::add(const Notes& other) {
   if (&other != this) add_packed(other.packed());
 }
@@ -39,8 +47,12 @@ void Notes::add(const Notes& other) {
 std::vector<std::string> Notes::lines() const {
   const std::scoped_lock lock(mutex_);
   std::vector<std::pair<std::int64_t, std::string>> by_step;
-  for (const auto& [text, counts] : notes_)
+  for (const auto& [text, counts] : notes_) {
+    if (text.starts_with(judged)) continue;
+    const auto of_all = notes_.find(judged + text);
+    if (of_all != notes_.end() && 2 * counts.size() < of_all->second.size()) continue;
     by_step.emplace_back(counts.begin()->first, line_of(text, counts));
+  }
   std::sort(by_step.begin(), by_step.end());
   std::vector<std::string> all;
   all.reserve(by_step.size());

@@ -22,6 +22,10 @@ class Notes {
   /// several ranks, counts once.
   void add(std::string_view text, std::int64_t step = whole, std::int64_t count = 1);
 
+  /// A finding that single frames may show by chance: it is a note if at least half of the frames that are
+  /// judged have it.
+  void judge(std::string_view text, bool found, std::int64_t step, std::int64_t count = 1);
+
   /// Merges the notes of another object.
   void add(const Notes& other);
 

@@ -20,7 +20,12 @@ bool jumps(const Box& before, const Box& after) {
 }
 
 bool is_another(const Box& before, const Box& after) {
-  return changes_by(1 / 3.0, before, after);
+  const Eigen::Array2d ratio = after.length().array() / before.length().array();
+  constexpr double most = 2;
+  for (Eigen::Index axis = 0; axis < 2; ++axis)
+    if (after.periodic[static_cast<std::size_t>(axis)] && (ratio[axis] > most || ratio[axis] < 1 / most))
+      return true;
+  return false;
 }
 
 void check_box(const Box& box, const Place& place) {

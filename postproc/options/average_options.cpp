@@ -70,6 +70,7 @@ void Averaged::add(std::int64_t step, const Rows& frame_sums, std::int64_t run) 
 void describe_frames(const Averaged& averaged, Preamble& lines) {
   lines.emplace_back("frames", fmt::format("{}, steps {} to {}", averaged.sums.frames(),
                                            averaged.range.first_step, averaged.range.last_step));
+  if (!averaged.first_frame.empty()) lines.emplace_back("first frame", averaged.first_frame);
 }
 
 BlockErrors write_averages(const AverageOptions& options, const Averager& averager, const Averaged& averaged,

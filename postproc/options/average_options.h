@@ -48,6 +48,7 @@ struct Averaged {
   TimeAverage sums;
   FrameRange range;
   std::set<std::int64_t> runs = {};  ///< that the frames belong to
+  std::string first_frame = {};      ///< what it holds, to tell averages of other input by
 
   void add(std::int64_t step, const Rows& frame_sums, std::int64_t run = 0);
 };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "io/files/output_file.h"
@@ -55,12 +56,28 @@ SnapshotLog::SnapshotLog(std::string file, std::string program, SnapshotParamete
   check_snapshot_name(file_);
 }
 
+namespace {
+
+// In step `now`, at or after frame `last`, at the rate of the last two frames.
+double time_since(const std::vector<std::int64_t>& steps, const std::vector<double>& times, std::size_t last,
+                  std::int64_t now) {
+  if (now == steps[last]) return times[last];
+  if (last == 0) return not_given;
+  const double rate = (times[last] - times[last - 1]) / static_cast<double>(steps[last] - steps[last - 1]);
+  return times[last] + rate * static_cast<double>(now - steps[last]);
+}
+
+}  // namespace
+
 std::int64_t SnapshotLog::resume(const RawFrame& present) {
   if (!std::filesystem::exists(file_)) return 0;
   std::vector<std::int64_t> steps;
+  std::vector<double> times;
   {
     const Hdf5File file = Hdf5File::open(file_);
-    steps = summarise_snapshots(file, file_).steps;
+    const SnapshotSummary summary = summarise_snapshots(file, file_);
+    steps = summary.steps;
+    times = summary.times;
     check_parameters(file, file_, parameters_);
   }
   frames_ =
@@ -72,6 +89,9 @@ std::int64_t SnapshotLog::resume(const RawFrame& present) {
   writer.close();
   begun_ = true;
   if (frames_ > 0) last_step_ = steps[frames_ - 1];
+  if (frames_ > 0 && !times.empty())
+    time_shift_ = time_since(steps, times, frames_ - 1, present.step) - present.time;
+  if (!std::isfinite(time_shift_)) time_shift_ = 0;
   return static_cast<std::int64_t>(steps.size() - frames_);
 }
 
@@ -80,7 +100,13 @@ void SnapshotLog::add(const RawFrame& frame) {
   if (begun_ && frame.step < last_step_)
     throw bad_input({file_}, "time steps do not ascend", fmt::format("more than {}", last_step_),
                     fmt::format("{}", frame.step));
-  begun_ ? append(frame) : create(frame);
+  RawFrame shifted;
+  const bool shifts = time_shift_ != 0;
+  if (shifts) {
+    shifted = frame;
+    shifted.time += time_shift_;
+  }
+  begun_ ? append(shifts ? shifted : frame) : create(frame);
   begun_ = true;
   ++frames_;
   last_step_ = frame.step;

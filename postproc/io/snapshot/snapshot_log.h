@@ -18,8 +18,9 @@ class SnapshotLog {
   SnapshotLog(std::string file, std::string program, SnapshotParameters parameters);
 
   /// Continues the file if it exists: frames after `present` are dropped, since the run will reach them
-  /// again. Returns their number. Throws (bad input) if the file belongs to another system: other parameters,
-  /// or discs whose type or radius differs from the disc with the same id in `present`.
+  /// again. Returns their number. If the engine counts time anew (after a restart), the times of further
+  /// frames continue those in the file. Throws (bad input) if the file belongs to another system: other
+  /// parameters, or discs whose type or radius differs from the disc with the same id in `present`.
   std::int64_t resume(const RawFrame& present);
 
   /// Appends the frame, in a new file unless one was resumed; does nothing if the last frame has the same
@@ -37,6 +38,7 @@ class SnapshotLog {
   std::uint64_t frames_ = 0;
   std::int64_t last_step_ = -1;
   bool begun_ = false;
+  double time_shift_ = 0;  // s, from the engine's time to that of the file
 };
 
 /// Throws (bad input) if the file cannot be written, or if its name is not that of an HDF5 file.

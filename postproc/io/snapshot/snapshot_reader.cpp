@@ -172,11 +172,17 @@ bool SnapshotReader::open_next() {
   if (const std::size_t other = open_->boxes.first_other(); other > 0 && wishes_.notes)
     wishes_.notes->add(file + ": " + another_box, open_->summary.steps[other]);
   frame_ = 0;
+  frames_ = open_->summary.steps.size();
+  // A continued run writes the step that it starts from once more.
+  if (frames_ > 0 && opened_ < files_.size()) {
+    const auto next = summarise_snapshots(Hdf5File::open(files_[opened_]), files_[opened_]).steps;
+    if (!next.empty() && next.front() == open_->summary.steps.back()) --frames_;
+  }
   return true;
 }
 
 bool SnapshotReader::next(std::int64_t& step) {
-  while (!open_ || frame_ == open_->summary.steps.size())
+  while (!open_ || frame_ == frames_)
     if (!open_next()) return false;
   step = open_->summary.steps[frame_++];
   if (step <= last_step_)

@@ -16,7 +16,8 @@ namespace mikromakro {
 
 /// Reads one frame at a time, and only the columns needed. Checks numbers like the text readers; in messages,
 /// the line is the row within the frame. Throws on missing or damaged HDF5 files, missing columns, time steps
-/// that do not ascend, and non-finite numbers.
+/// that do not ascend, and non-finite numbers. If a file begins with the last step of the one before it, only
+/// the later frame counts.
 class SnapshotReader : public FrameFormat {
  public:
   SnapshotReader(std::vector<std::string> files, ColumnWishes wishes);
@@ -38,7 +39,7 @@ class SnapshotReader : public FrameFormat {
   ColumnWishes wishes_;
   std::unique_ptr<Open> open_;
   std::size_t opened_ = 0;
-  std::uint64_t frame_ = 0;
+  std::uint64_t frame_ = 0, frames_ = 0;  // of the open file
   std::int64_t last_step_ = -1;
   std::int64_t bytes_ = 0;
 };

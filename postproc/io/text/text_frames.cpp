@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/text/contact_presets.h"
@@ -50,7 +51,7 @@ void note_missing_forces(const Blocks& contacts, const ColumnWishes& wishes) {
                   contacts.front()->file));
 }
 
-// Fewer may leave or be inserted at once.
+// Fewer may leave at once.
 constexpr std::int64_t many_discs = 20;
 
 }  // namespace
@@ -110,12 +111,15 @@ void TextFrames::check_system() {
     wishes_->notes->add(frames_.file(0) + ": " + another_system);
   else if (last_size_ && is_another(last_size_->box, header.box))
     wishes_->notes->add(frames_.file(0) + ": " + another_box, header.step);
-  if (last_size_ && 3 * std::abs(rows - last_size_->rows) > last_size_->rows &&
-      last_size_->rows >= many_discs)
+  const bool lost = last_size_ && 3 * (last_size_->rows - rows) > last_size_->rows;
+  const bool back = last_size_ && rows == rows_before_last_ && last_size_->rows < rows;
+  if ((lost || back) && std::max(rows, last_size_->rows) >= many_discs)
     wishes_->notes->add(
         frames_.file(0) +
-            ": the number of discs changes by more than a third from the frame before (rows left out?)",
+            (lost ? ": more than a third of the discs of the frame before are missing (rows left out?)"
+                  : ": discs are there again that the frame before lacks (rows left out?)"),
         header.step);
+  rows_before_last_ = last_size_ ? last_size_->rows : -1;
   last_size_ = {header.box, rows};
 }
 

@@ -62,6 +62,7 @@ class TextFrames : public FrameFormat {
     std::int64_t rows;
   };
   std::optional<Size> last_size_;  ///< of the previous frame
+  std::int64_t rows_before_last_ = -1;
 };
 
 }  // namespace mikromakro

@@ -91,7 +91,8 @@ TEST(JoinContacts, TakesTheNearestImageWhereTheBoxIsPeriodic) {
 }
 
 // Stock LIGGGHTS wraps the places of a row through the boundary: x = 9.5 and 0.25 as above. Without the flag
-// they are meant as they stand: 9.25 apart, which is no contact.
+// they are meant as they stand: 9.25 apart, which is no contact; unless the row has a force or an overlap,
+// since a disc that has left the box since the last neighbour list is wrapped in the rows, too.
 TEST(JoinContacts, StockRowsMarkedPeriodicHaveWrappedPositions) {
   const std::vector<Particle> discs = {disc(1, 9.5, 5, 0.5), disc(2, 0.25, 5, 0.5)};
   for (const double flag : {0.0, 1.0}) {
@@ -102,6 +103,15 @@ TEST(JoinContacts, StockRowsMarkedPeriodicHaveWrappedPositions) {
     if (flag == 1) {
       EXPECT_DOUBLE_EQ(contacts[0].normal[0], 1);
     }
+  }
+  for (const Value& touching : {Value{overlap, 0.25}, Value{fx, -1}}) {
+    ContactRows rows;
+    add_row(rows,
+            {{id1, 1}, {id2, 2}, {x1, 9.5}, {y1, 5}, {x2, 0.25}, {y2, 5}, {periodic, 0}, {fy, 0}, touching});
+    const auto contacts = join_all(rows, {disc(1, -0.5, 5, 0.5), disc(2, 0.25, 5, 0.5)}, box_of_ten(true));
+    ASSERT_EQ(contacts.size(), 1U);
+    EXPECT_DOUBLE_EQ(contacts[0].normal[0], 1);
+    EXPECT_DOUBLE_EQ(contacts[0].overlap, 0.25);
   }
 }
 
