@@ -204,7 +204,7 @@ Eigen::Vector2d ring_centre(const VolumeOptions& options) {
 }
 
 bool is_plausible_height(double height, double radius) {
-  return height >= 0.02 * radius && height <= 100 * radius;
+  return height >= 0.005 * radius && height <= 100 * radius;
 }
 
 std::unique_ptr<const Averager> make_averager(const VolumeOptions& options, FieldList fields) {

@@ -36,7 +36,7 @@ double kernel_width(const VolumeOptions& options);
 /// The height, or 1 if not known.
 double thickness(const VolumeOptions& options);
 
-/// From a fiftieth of a radius (sheets) to 100 radii (rods).
+/// From 1/200 of a radius (sheets) to 100 radii (rods).
 bool is_plausible_height(double height, double radius);
 
 /// The option that defines the volumes, for messages.
