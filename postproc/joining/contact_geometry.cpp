@@ -347,21 +347,22 @@ std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& 
                                    const ContactRules& rules) {
   const Joiner joiner(rows, discs, rules);
   std::vector<Contact> contacts;
-  std::vector<std::size_t> row_of;
+  RowOfContact row_of;
   std::int64_t deep = 0, walls = 0;
   contacts.reserve(rows.rows.size());
-  row_of.reserve(rows.rows.size());
   Contact contact;
   for (std::size_t i = 0; i < rows.rows.size(); ++i) {
-    if (!joiner.join(i, contact)) continue;
+    if (!joiner.join(i, contact)) {
+      row_of.leave_out(i);
+      continue;
+    }
     contacts.push_back(contact);
-    row_of.push_back(i);
     deep += joiner.is_deep(contact) ? 1 : 0;
     walls += contact.with_wall() ? 1 : 0;
   }
   check_pairs(contacts, row_of, rows, discs.particles, discs.box);
   check_springs_pull_back(rows, contacts, rules.closely);
-  const auto left_out = static_cast<std::int64_t>(rows.rows.size() - contacts.size());
+  const auto left_out = static_cast<std::int64_t>(row_of.left_out());
   if (rules.notes == nullptr) return contacts;
   if (rules.closely) note_size_of_springs(contacts, *rules.notes, rules.step);
   if (walls > 0) {

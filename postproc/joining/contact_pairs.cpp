@@ -64,7 +64,7 @@ bool all_pairs_differ(const std::vector<Contact>& contacts) {
 }
 
 // A contact dump may itself contain walls, possibly those of the separate file under other ids.
-void check_walls_differ(const std::vector<Contact>& contacts, const std::vector<std::size_t>& row_of,
+void check_walls_differ(const std::vector<Contact>& contacts, const RowOfContact& row_of,
                         const ContactRows& rows, const std::vector<Particle>& discs) {
   std::multimap<int, std::size_t> own;  // by disc
   for (std::size_t k = 0; k < contacts.size(); ++k)
@@ -91,8 +91,8 @@ void check_walls_differ(const std::vector<Contact>& contacts, const std::vector<
 
 }  // namespace
 
-void check_pairs(const std::vector<Contact>& contacts, const std::vector<std::size_t>& row_of,
-                 const ContactRows& rows, const std::vector<Particle>& discs, const Box& box) {
+void check_pairs(const std::vector<Contact>& contacts, const RowOfContact& row_of, const ContactRows& rows,
+                 const std::vector<Particle>& discs, const Box& box) {
   if (!rows.wall_file.empty()) check_walls_differ(contacts, row_of, rows, discs);
   if (all_pairs_differ(contacts)) return;
   const BranchImages images(box);
