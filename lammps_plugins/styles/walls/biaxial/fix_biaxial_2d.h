@@ -8,8 +8,7 @@
 //   strain cosine X_END TIME       to X_END (m) within TIME (s) along a half cosine, then fixed
 //   strain rate V                  at the velocity V (m/s) along x or y
 //   stress P mass M damping G      m x'' = F - P L - G x' outwards (physics/motion/servo_wall.h): F the
-//   discs' force
-//                                  on the wall, L its length between the adjacent walls; P in N/m, or in Pa
+//                                  force of the discs on the wall, L its length between the adjacent walls; P in N/m, or in Pa
 //                                  if a height H (m) is given; M in kg, G in kg/s
 //
 // type T before the first wall: the atom type that supplies the material constants of the walls; after a
@@ -17,8 +16,8 @@
 // walls act under the law of the pair style (physics/walls/smooth_wall.h). Their ids in contact rows are -1,
 // -2, -3, -4.
 //
-// fix_modify ID WALL CONTROL ... [reset]: changes how walls move, from their present positions and
-// velocities. reset: strains and work are counted from here on. A fix that continues from a restart file
+// fix_modify ID WALL CONTROL ... [reset]: changes how walls move, from their present positions; a wall whose
+// new control is a stress keeps its velocity. reset: strains and work are counted from here on. A fix that continues from a restart file
 // takes the walls at their stored positions; if its CONTROL is unchanged, it is continued.
 //
 // For a stress-controlled wall with the half period pi sqrt(M/K) on its contacts of stiffness K, fewer than
