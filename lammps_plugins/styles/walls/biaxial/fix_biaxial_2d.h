@@ -7,9 +7,10 @@
 //   fixed
 //   strain cosine X_END TIME       to X_END (m) within TIME (s) along a half cosine, then fixed
 //   strain rate V                  at the velocity V (m/s) along x or y
-//   stress P mass M damping G      m x'' = F - P L - G x' outwards (physics/motion/servo_wall.h): F the
-//                                  force of the discs on the wall, L its length between the adjacent walls; P in N/m, or in Pa
-//                                  if a height H (m) is given; M in kg, G in kg/s
+//   stress P mass M damping G      m x'' = F - P L - G x' outwards (physics/motion/servo_wall.h)
+//
+// F: force of the discs on the wall (N); L: its length between the adjacent walls (m); P in N/m, or in Pa if
+// a height H (m) is given; M in kg, G in kg/s.
 //
 // type T before the first wall: the atom type that supplies the material constants of the walls; after a
 // wall: that of this wall. A wall is frictionless if its constant mu with the types of the discs is 0. All
@@ -17,8 +18,9 @@
 // -2, -3, -4.
 //
 // fix_modify ID WALL CONTROL ... [reset]: changes how walls move, from their present positions; a wall whose
-// new control is a stress keeps its velocity. reset: strains and work are counted from here on. A fix that continues from a restart file
-// takes the walls at their stored positions; if its CONTROL is unchanged, it is continued.
+// new control is a stress keeps its velocity. reset: strains and work are counted from here on. A fix that
+// continues from a restart file takes the walls at their stored positions; if its CONTROL is unchanged, it is
+// continued.
 //
 // For a stress-controlled wall with the half period pi sqrt(M/K) on its contacts of stiffness K, fewer than
 // 50 time steps per half period give a warning and fewer than 4 are rejected, at the start and at the end of
