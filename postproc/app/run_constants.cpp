@@ -127,13 +127,14 @@ void take_friction(const FrameSource& source, FieldChoice& fields) {
 void note_other_runs(const FrameSource& source) {
   const auto all = constants_of(source);
   if (all.size() < 2) return;
-  const auto& [first, there] = all.front();
+  const RunConstants& there = all.front().second;
   const auto differ = [](const std::vector<double>& a, const std::vector<double>& b) {
     return !std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
   };
-  for (const auto& [file, constants] : all) {
+  for (const auto& one : all) {
+    const RunConstants& constants = one.second;
     const auto note = [&](const std::string& what) {
-      source.notes->add(fmt::format("{} is of another run than {}: {}", file, first, what));
+      source.notes->add(fmt::format("{} is of another run than {}: {}", one.first, all.front().first, what));
     };
     if (constants.law != there.law) note(fmt::format("{}, there {}", constants.law, there.law));
     if (differ(constants.normal_stiffness, there.normal_stiffness)) note("other k_n");
