@@ -132,6 +132,24 @@ void fill_by_runs(const std::vector<Eigen::Index>& places, const RunMeans& means
   }
 }
 
+// Independent runs of about the same length: their spread is the error whether it shows that they differ or
+// not.
+bool are_enough(const RunMeans& means) {
+  constexpr double runs = 7;  // 1/sum w^2
+  return 1 / means.squares() >= runs;
+}
+
+// Single series that differ from run to run, among others that do not: of their spread, or none.
+void replace_differing(const std::vector<Eigen::Index>& places, const RunMeans& means,
+                       const FieldErrors& field, BlockErrors& errors) {
+  const ErrorDecision by_runs = decide_by_runs(means.freedom());
+  const Eigen::ArrayXd error = by_runs.widening * means.variance_of_mean().sqrt();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto series = static_cast<Eigen::Index>(i);
+    if (field.between.differs(series)) errors.error.data()[places[i]] = by_runs.given ? error[series] : nan;
+  }
+}
+
 FieldErrors errors_of(const ColumnsOfField& field, Eigen::Index begin, const PseudoValues& values,
                       const std::vector<std::int64_t>& runs, BlockErrors& errors) {
   FieldErrors made{field};
@@ -143,14 +161,16 @@ FieldErrors errors_of(const ColumnsOfField& field, Eigen::Index begin, const Pse
   made.between = between_runs(series, runs);
   made.correlation = made.between.differ() ? made.between.within : correlation_time(series, runs);
   made.decision = decide(made.correlation, count);
-  if (!made.between.differ() && !made.decision.given) return made;
+  const RunMeans means = run_means(series, runs);
+  const bool spread = made.between.differ() || (std::isfinite(made.between.chi_square) && are_enough(means));
+  if (!spread && !made.decision.given) return made;
   if (made.decision.given) made.slow = slow_change(series, runs, made.correlation);
-  if (made.between.differ() || made.slow.shows()) {
-    const RunMeans means = run_means(series, runs);
+  if (spread || made.slow.shows()) {
     made.decision = decide_by_runs(means.freedom());
     if (made.decision.given) fill_by_runs(places, means, made, errors, count);
   } else {
     fill(places, values, made, errors);
+    replace_differing(places, means, made, errors);
   }
   return made;
 }

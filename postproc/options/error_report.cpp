@@ -14,16 +14,16 @@ std::string of_runs(const FieldErrors& made) {
   return std::isnan(chi_square) ? "" : fmt::format(", chi^2 between runs {:.2g}", chi_square);
 }
 
-// For runs that differ, or that change as slowly as they last.
+// For runs that differ, that change as slowly as they last, or that are many.
 std::string report_by_runs(const FieldErrors& made) {
   const ErrorDecision& decision = made.decision;
-  const std::string why =
-      made.between.differ()
-          ? fmt::format("runs differ by more than their frames tell{}", of_runs(made))
-          : fmt::format(
-                "something changes as slowly as a run lasts (its slowest wave squared is {:.2g} times "
-                "the next ones)",
-                made.slow.ratio);
+  std::string why = fmt::format("as always from eight runs of about one length on{}", of_runs(made));
+  if (made.between.differ())
+    why = fmt::format("runs differ by more than their frames tell{}", of_runs(made));
+  else if (made.slow.shows())
+    why = fmt::format(
+        "something changes as slowly as a run lasts (its slowest wave squared is {:.2g} times the next ones)",
+        made.slow.ratio);
   if (decision.given)
     return fmt::format("{}: from the spread of the runs, {:.3g} degrees of freedom; {}", made.field.name,
                        decision.freedom, why);

@@ -71,6 +71,11 @@ Pooled pooled(const CorrelationTime& within, double squares, double values_less_
           freedom / (freedom - 2)};
 }
 
+// 2/d with the degrees of freedom of a single series: of its variance, and of 2 tau.
+double freedom_of_one(const CorrelationTime& within, const Pooled& pooled, double values_less_runs) {
+  return 1 / (within.squares / values_less_runs + 1 / pooled.below);
+}
+
 double mean_of_known(const Row& values) {
   const auto known = values.isFinite();
   return known.any() ? known.select(values, 0).sum() / static_cast<double>(known.count()) : BetweenRuns::nan;
@@ -123,7 +128,8 @@ BetweenRuns between_runs(const Rows& all_series, const std::vector<std::int64_t>
   const auto count = static_cast<double>(lengths.count()), values = static_cast<double>(all_series.rows());
   constexpr double fewest_left = 4;
   if (count < 2 || values - count < fewest_left) return between;
-  const Rows series = of_columns(all_series, fluctuating_within(all_series, lengths));
+  const std::vector<Eigen::Index> chosen = fluctuating_within(all_series, lengths);
+  const Rows series = of_columns(all_series, chosen);
   if (series.cols() == 0) {
     between.chi_square = std::numeric_limits<double>::infinity();
     between.chance = 0;
@@ -138,6 +144,14 @@ BetweenRuns between_runs(const Rows& all_series, const std::vector<std::int64_t>
   const Pooled of_all = pooled(between.within, count - 1, values - count);
   between.chi_square = mean_of_known(values * spread / variance) / (count - 1) / of_all.bias;
   between.chance = f_tail(between.chi_square, of_all.above, of_all.below);
+  // Series that change from run to run only are no sample of their frames.
+  between.chance_of_series = Eigen::ArrayXd::Zero(all_series.cols());
+  const double freedom = freedom_of_one(between.within, of_all, values - count);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const auto one = static_cast<Eigen::Index>(i);
+    const double ratio = values * spread[one] / variance[one] / (count - 1);
+    between.chance_of_series[chosen[i]] = std::isfinite(ratio) ? f_tail(ratio, count - 1, freedom) : 1;
+  }
   const Pooled of_two = pooled(between.within, 1, values - count);
   between.chance_of_near = std::min(
       1.0, 0.5 * count * (count - 1) *

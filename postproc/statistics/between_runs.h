@@ -34,13 +34,18 @@ RunMeans run_means(const Rows& series, const std::vector<std::int64_t>& runs);
 
 struct BetweenRuns {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  CorrelationTime within;       ///< 2 tau about the mean of each run
-  double chi_square = nan;      ///< per value: 1 if the frames explain it; nan for one run, or unknown
-  double chance = nan;          ///< probability of a chi_square at least as large in that case
-  double chance_of_near = nan;  ///< probability that two of the runs are as close as the closest two
+  CorrelationTime within;           ///< 2 tau about the mean of each run
+  double chi_square = nan;          ///< per value: 1 if the frames explain it; nan for one run, or unknown
+  double chance = nan;              ///< probability of a chi_square at least as large in that case
+  double chance_of_near = nan;      ///< probability that two of the runs are as close as the closest two
+  Eigen::ArrayXd chance_of_series;  ///< `chance` for each series alone; empty if unknown
 
   /// By far more than their frames explain.
   bool differ() const { return chance < 0.01; }
+  /// The same of one series among many, which leave chi_square near 1.
+  bool differs(Eigen::Index series) const {
+    return chance_of_series.size() > 0 && chance_of_series[series] < 0.01;
+  }
   /// So close that two of the runs must contain the same frames.
   bool repeat() const { return chance_of_near < 1e-4; }
 };

@@ -285,7 +285,8 @@ TEST(BlockErrors, TellHowRunsDiffer) {
     const TimeAverage average = runs_that_differ(std::vector<int>(8, 25), offset, random);
     const FieldErrors made = errors_of(average, same).fields[0];
     ASSERT_TRUE(made.decision.given);
-    EXPECT_EQ(made.decision.by_runs, offset > 0);
+    EXPECT_TRUE(made.decision.by_runs);  // as eight runs always are
+    EXPECT_EQ(made.between.differ(), offset > 0);
     EXPECT_NEAR(made.between.chi_square / (1 + 25 * 8 * offset * offset / 7), 1, offset > 0 ? 0.22 : 0.4);
     EXPECT_FALSE(made.between.repeat());
   }
@@ -306,6 +307,34 @@ TEST(BlockErrors, OfRunsThatDifferAreOfTheirSpread) {
     const BlockErrors none = errors_of(runs_that_differ(lengths, 1, random), same);
     EXPECT_FALSE(none.any());
     EXPECT_TRUE(none.fields[0].decision.by_runs);
+  }
+}
+
+// One of two hundred volumes is off by 0.3 and -0.3 by turns: chi^2 of all does not show it. From four runs
+// on its error is that of the spread of their means m_r, sqrt(sum (m_r - m)^2/(R (R - 1))) times the width of
+// Student's t; from two it has none. Those of the others are 1/sqrt(n), widened by little.
+TEST(BlockErrors, OfAVolumeThatDiffersAmongOthersAreOfItsSpread) {
+  std::mt19937_64 random(4);
+  for (const int runs : {2, 4}) {
+    TimeAverage average(1024);
+    Eigen::ArrayXd means = Eigen::ArrayXd::Zero(runs);
+    for (int run = 0; run < runs; ++run)
+      for (Rows rows : CorrelatedNoise(0, 200, 1)(100, random)) {
+        rows(0, 0) += run % 2 == 0 ? 0.3 : -0.3;
+        means[run] += rows(0, 0) / 100;
+        average.add(rows, run);
+      }
+    const BlockErrors errors = errors_of(average, same);
+    EXPECT_FALSE(errors.fields[0].decision.by_runs);
+    if (runs == 2) {
+      EXPECT_TRUE(std::isnan(errors.error(0, 0)));
+    } else {
+      const double spread = std::sqrt((means - means.mean()).square().sum() / (runs * (runs - 1)));
+      expect_measured(errors.error(0, 0) / (student_width(runs - 1) * spread), 1, 1e-9);
+    }
+    EXPECT_NEAR(errors.error.bottomRows(199).isNaN().select(0, errors.error.bottomRows(199)).sum() / 199 *
+                    std::sqrt(100.0 * runs),
+                1, 0.15);
   }
 }
 
