@@ -316,8 +316,8 @@ void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>
         fmt::format("springs, which pull back (f_t = -k_t {})", by_xi ? "xi" : "shear"), "another quantity");
 }
 
-/// f_t/xi over f_n/overlap is k_t/k_n, near 1, whether contacts slide or not. Laws without a dashpot aside it
-/// scatters.
+/// f_t/xi over f_n/overlap is about k_t/k_n, near 1, for contacts that stick and, with both at the Coulomb
+/// limit, for those that slide; dashpots scatter it.
 void note_size_of_springs(const std::vector<Contact>& contacts, Notes& notes, std::int64_t step) {
   constexpr std::size_t enough = 20;
   constexpr double most = 20;

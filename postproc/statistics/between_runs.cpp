@@ -71,7 +71,7 @@ Pooled pooled(const CorrelationTime& within, double squares, double values_less_
           freedom / (freedom - 2)};
 }
 
-// 2/d with the degrees of freedom of a single series: of its variance, and of 2 tau.
+// Degrees of freedom of 2 tau s^2 of a single series, from those of its variance and of 2 tau.
 double freedom_of_one(const CorrelationTime& within, const Pooled& pooled, double values_less_runs) {
   return 1 / (within.squares / values_less_runs + 1 / pooled.below);
 }
