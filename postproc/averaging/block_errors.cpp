@@ -14,6 +14,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 struct PseudoValues {
   std::vector<Rows> deviations;  // deviation of each block from the whole
   Rows variance;
+  Rows bias;  // of independent blocks: (m - 1) (q - mean of q_i)
   // Whether the series varies beyond rounding, and in enough blocks.
   Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> fluctuate;
 };
@@ -86,6 +87,7 @@ PseudoValues pseudo_values(const std::vector<Rows>& blocks, const Solver& solve,
   const double rounding = 2e-15 * count;
   // False for nan as well.
   values.fluctuate = values.variance.sqrt() > rounding * (whole + mean).abs();
+  values.bias = std::move(mean);
   leave_seldom_ones(smallest, values);
   return values;
 }
@@ -110,6 +112,13 @@ Rows series_at(const std::vector<Eigen::Index>& places, const std::vector<Rows>&
   return series;
 }
 
+// Bias of the value of a series. A covariance about a measured mean is correlated half as long as this mean,
+// whose 2 tau its bias has.
+double bias_of(double bias_of_independent, double time) {
+  constexpr double covariance_time = 2;
+  return covariance_time * time * bias_of_independent;
+}
+
 void fill(const std::vector<Eigen::Index>& places, const PseudoValues& values, const FieldErrors& field,
           BlockErrors& errors) {
   const auto count = static_cast<double>(values.deviations.size());
@@ -118,9 +127,28 @@ void fill(const std::vector<Eigen::Index>& places, const PseudoValues& values, c
     // A single series may be correlated over its whole length.
     if (!(time < count)) continue;
     const double variance = values.variance.data()[places[i]];
-    errors.error.data()[places[i]] = field.decision.widening * std::sqrt(variance * time / (count - time));
+    errors.error.data()[places[i]] =
+        std::hypot(field.decision.widening * std::sqrt(variance * time / (count - time)),
+                   bias_of(values.bias.data()[places[i]], time));
     errors.correlation_time.data()[places[i]] = time;
   }
+}
+
+// The bias falls as 1/n, the error as 1/sqrt(n): how many samples make it small, if it is not.
+void ask_for_little_bias(const std::vector<Eigen::Index>& places, const PseudoValues& values,
+                         const CorrelationTime& correlation, ErrorDecision& decision) {
+  constexpr double most = 1.0 / 3;  // of the error
+  if (!decision.given) return;
+  double biases = 0, squares = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double time = correlation.of_series[static_cast<Eigen::Index>(i)];
+    const double variance = values.variance.data()[places[i]];
+    biases += std::pow(bias_of(values.bias.data()[places[i]], time), 2) / variance;
+    squares += time / static_cast<double>(values.deviations.size());
+  }
+  const double needed = decision.samples * biases / squares / (most * most);
+  decision.needed = std::max(decision.needed, needed);
+  decision.given = decision.samples >= decision.needed;
 }
 
 void fill_by_runs(const std::vector<Eigen::Index>& places, const RunMeans& means, const FieldErrors& field,
@@ -161,6 +189,7 @@ FieldErrors errors_of(const ColumnsOfField& field, Eigen::Index begin, const Pse
   made.between = between_runs(series, runs);
   made.correlation = made.between.differ() ? made.between.within : correlation_time(series, runs);
   made.decision = decide(made.correlation, count);
+  ask_for_little_bias(places, values, made.correlation, made.decision);
   const RunMeans means = run_means(series, runs);
   const bool spread = made.between.differ() || (std::isfinite(made.between.chi_square) && are_enough(means));
   if (!spread && !made.decision.given) return made;

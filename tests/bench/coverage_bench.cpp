@@ -71,7 +71,6 @@ void correlated(Eigen::Index volumes) {
       line(fmt::format("correlation {:.1f}", rho), frames, two_tau(rho), field_of(volumes, 1, rho, frames));
 }
 
-// A part `slow` of the variance is AR(1) of correlation 0.9, the rest white.
 // A part of the variance is AR(1), the rest white.
 Trials partly_slow(double slow, double rho, Eigen::Index volumes, int frames) {
   Trials scene;
@@ -189,6 +188,25 @@ void solved() {
   }
 }
 
+// The variance of a number about its measured mean, as of one disc in each volume: sums x and x^2.
+void covariances() {
+  constexpr Eigen::Index volumes = 20;
+  if (!head(fmt::format("Variance about the measured mean, {} volumes (2 tau of the mean)", volumes))) return;
+  for (const double rho : {0.0, 0.5, 0.9}) {
+    for (const int frames : {41, 100, 400, 1000}) {
+      Trials scene;
+      scene.truth = Rows::Ones(volumes, 1);
+      scene.run = [=](auto& random) {
+        std::vector<Rows> series = CorrelatedNoise(rho, volumes, 1)(frames, random);
+        for (Rows& frame : series) frame = (Rows(volumes, 2) << frame, frame.square()).finished();
+        return series;
+      };
+      scene.solve = [](const Rows& sums) { return Rows(sums.col(1) - sums.col(0).square()); };
+      line(fmt::format("correlation {:.1f}", rho), frames, two_tau(rho), scene);
+    }
+  }
+}
+
 void other_noise() {
   if (!head("Noise of other kinds")) return;
   for (const Scene& scene : scenes_of_other_noise()) {
@@ -270,6 +288,7 @@ int main(int argc, char** argv) {
   one_slow();
   unlike();
   solved();
+  covariances();
   several_runs();
   runs_that_differ();
   other_noise();

@@ -105,6 +105,29 @@ TEST(ErrorsOfOneField, CoverSkewedNoise) {
 }
 
 // The quotient of sums, 20 + y over 10 + x, is solved from their means.
+// A variance about the measured mean is too small by 2 tau/n: without the rule, 98 % of such fields have
+// errors, of which 49 % (of 68) hold. With enough samples of the mean the errors are there.
+TEST(ErrorsOfOneField, OfCovariancesNeedSamplesOfTheirMean) {
+  constexpr Eigen::Index volumes = 20;
+  Trials trials;
+  trials.count = 200;
+  trials.truth = Rows::Ones(volumes, 1);
+  trials.solve = [](const Rows& sums) { return Rows(sums.col(1) - sums.col(0).square()); };
+  const auto of = [&](double rho, int frames) {
+    trials.run = [=](auto& random) {
+      std::vector<Rows> series = CorrelatedNoise(rho, volumes, 1)(frames, random);
+      for (Rows& frame : series) frame = (Rows(volumes, 2) << frame, frame.square()).finished();
+      return series;
+    };
+    return coverage(trials, errors_of_field);
+  };
+  EXPECT_LT(of(0.9, 100).given, 0.1);
+  const Coverage enough = of(0.5, 400);
+  EXPECT_GT(enough.given, 0.9);
+  EXPECT_NEAR(enough.one_sigma, 0.68, 0.04);
+  EXPECT_NEAR(enough.two_sided, 0.95, 0.02);
+}
+
 TEST(ErrorsOfOneField, CoverQuotients) {
   Trials trials = field_of({0.5, 41, 1}, 20, 200);
   trials.run = [noise = CorrelatedNoise(0.5, 20, 2)](auto& random) { return noise(41, random); };
