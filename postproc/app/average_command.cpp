@@ -8,13 +8,13 @@
 #include "app/commands.h"
 #include "app/input_options.h"
 #include "app/memory_need.h"
-#include "app/plausible_options.h"
 #include "app/run_constants.h"
 #include "app/warnings.h"
 #include "averaging/block_table.h"
 #include "model/error.h"
 #include "options/average_options.h"
 #include "options/error_report.h"
+#include "options/plausible_options.h"
 
 namespace mikromakro {
 namespace {
@@ -135,6 +135,7 @@ void average(const CommandOptions& options, const Ranks& ranks) {
   const double stiffness = options.average.fields.numbers.normal_stiffness;  // as given
   const bool with_forces = needs_forces(*task.averager);
   const SumFrame sum = [&](const Frame& frame) {
+    note_density(frame, task.source.density, options.average.volumes.height, *task.source.notes);
     note_stiffness(frame, stiffness, *task.source.notes);
     note_friction(frame, task.options.fields.numbers.friction_coefficient, *task.source.notes);
     if (with_forces) {

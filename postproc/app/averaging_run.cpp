@@ -13,13 +13,13 @@
 #include <vector>
 
 #include "app/coverage.h"
-#include "app/plausible_options.h"
 #include "app/progress.h"
 #include "app/runs_used.h"
 #include "app/warnings.h"
 #include "averaging/repeated_frames.h"
 #include "io/files/file_list.h"
 #include "model/error.h"
+#include "options/plausible_options.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {

@@ -50,7 +50,8 @@ void print_text(const BoxAudit& audit) {
   fmt::print("{} frames; box {:.9g} {:.9g} {:.9g} {:.9g} m; volume of discs {:.6g} {}; {}\n",
              audit.box.frames(), box.low[0], box.high[0], box.low[1], box.high[1], audit.disc_volume,
              audit.units.volume,
-             audit.box.has_walls()      ? fmt::format("friction of walls {:.3g}", audit.box.friction())
+             audit.box.is_cut()         ? "a part of the packing"
+             : audit.box.has_walls()    ? fmt::format("friction of walls {:.3g}", audit.box.friction())
              : audit.box.has_boundary() ? "no contacts with walls -1 to -4"
                                         : "no contacts with walls");
   print_balances(audit.balances);

@@ -9,11 +9,11 @@
 #include "app/commands.h"
 #include "app/comparison_report.h"
 #include "app/memory_need.h"
-#include "app/plausible_options.h"
 #include "app/run_constants.h"
 #include "io/files/output_file.h"
 #include "model/error.h"
 #include "options/field_options.h"
+#include "options/plausible_options.h"
 #include "options/volume_options.h"
 
 namespace mikromakro {

@@ -5,7 +5,6 @@
 
 #include "app/commands.h"
 #include "app/input_options.h"
-#include "app/plausible_options.h"
 #include "app/progress.h"
 #include "app/run_constants.h"
 #include "app/warnings.h"
@@ -14,6 +13,7 @@
 #include "io/snapshot/snapshot_layout.h"
 #include "io/snapshot/snapshot_writer.h"
 #include "model/error.h"
+#include "options/plausible_options.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {
@@ -51,13 +51,13 @@ void convert(const ConvertOptions& options) {
       source.notes->add(fmt::format("{}: the numbers of walls ({}) are not taken over",
                                     source.snapshot_files.front(), walls));
   }
-  if (lack_walls(options.input))
-    writer.add_parameters({{{snapshot::unrecorded_walls, {"walls that are no discs"}}}, {}});
   FrameStream stream(source);
   Frame frame;
   std::int64_t frames = 0;
   double last_time = not_given;
   while (stream.next(frame)) {
+    if (frames == 0 && lack_walls(frame, options.input))
+      writer.add_parameters({{{snapshot::unrecorded_walls, {"walls that are no discs"}}}, {}});
     note_walls(frame, options.input, *source.notes);
     note_time(frame, last_time, *source.notes);
     check_time(frame, stream.raw().particle_file, options.time_step);

@@ -17,6 +17,7 @@
 #include "io/files/output_file.h"
 #include "model/error.h"
 #include "model/numbered_name.h"
+#include "options/plausible_options.h"
 #include "options/value_checks.h"
 
 namespace mikromakro {
@@ -148,6 +149,8 @@ std::int64_t add_frames(const FrameSource& source, const DrawOptions& options, P
   for (; stream.next(frame); ++frames) {
     check_time(frame, stream.raw().particle_file, options.style.time_step);
     scales.add(frame, options.style);
+    note_height(frame, options.height, *source.notes);
+    if (source.contacts_required) note_walls(frame, options.input, *source.notes);
     types.look(frame);
     runs.add(frame.run);
   }

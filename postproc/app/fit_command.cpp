@@ -148,11 +148,21 @@ FitWay way_of(const FitOptions& options) {
   return way;
 }
 
+// Rings begin at the wheel only if there are discs in the first one.
+double edge_of_wheel(const CsvTable& table, const std::string& column) {
+  const Eigen::ArrayXd values = table.column(column), inner = table.column("r_inner");
+  if (std::isfinite(values[0])) return inner[0];
+  throw bad_input(table.row_place(0),
+                  fmt::format("R_i is not known, since {} is nan in the first ring", column),
+                  "--ri R_I (m), the radius of the wheel, or rings that begin there",
+                  fmt::format("r_inner = {} m", inner[0]));
+}
+
 // Sets R_i and Omega R_i.
 void take_wheel(const FitOptions& options, const CsvTable& table, FitReport& report) {
   report.unit = table.unit(options.column);
   report.omega = options.omega;
-  report.r_i = std::isnan(options.ri) ? table.column("r_inner")[0] : options.ri;
+  report.r_i = std::isnan(options.ri) ? edge_of_wheel(table, options.column) : options.ri;
   report.scale = report.omega * report.r_i;
   const double last = table.column("r").maxCoeff();
   if (report.r_i > last)

@@ -196,4 +196,19 @@ void describe_input(const InputOptions& options, const FrameSource& source, std:
   describe_notes(*source.notes, lines);
 }
 
+bool lack_walls(const Frame& frame, const InputOptions& input) {
+  const bool preset = input.contact_columns.size() == 1;
+  const bool closed = frame.box.boundaries_known && frame.box.periodic[0] && frame.box.periodic[1];
+  return preset && input.walls.empty() && !closed;
+}
+
+void note_walls(const Frame& frame, const InputOptions& input, Notes& notes) {
+  constexpr std::size_t enough = 5;
+  if (lack_walls(frame, input) && frame.box.boundaries_known && frame.contacts.size() >= enough)
+    notes.add(fmt::format(
+        "--contact-columns {}: these rows lack contacts with walls that are no discs, and stresses near "
+        "such walls lack them (--wall-contacts adds those of meshes)",
+        input.contact_columns.front()));
+}
+
 }  // namespace mikromakro

@@ -44,4 +44,12 @@ void reading_again(InputOptions& options, const std::function<void()>& read);
 void describe_input(const InputOptions& options, const FrameSource& source, std::size_t used_runs,
                     Preamble& lines);
 
+/// Whether the contact rows are those of stock engines, without a file of those with walls, and the box may
+/// have walls: it is not known to be periodic along both axes.
+bool lack_walls(const Frame& frame, const InputOptions& input);
+
+/// For stresses: notes that contact rows of stock engines lack contacts with walls, unless the box is
+/// periodic.
+void note_walls(const Frame& frame, const InputOptions& input, Notes& notes);
+
 }  // namespace mikromakro

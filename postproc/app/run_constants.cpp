@@ -97,12 +97,13 @@ void take_stiffness(const FrameSource& source, const std::vector<int>& bulk_type
   for (const auto& [file, constants] : constants_of(source)) {
     const std::set<double> values = stiffnesses(constants, bulk_types);
     if (values.size() == 1) held.push_back({file, *values.begin()});
-    if (constants.hertz && fields.numbers.normal_stiffness > 0)
-      source.notes->add(fmt::format("--kn {} N/m is used, but {} is of a Hertzian law, whose kn is in N/m^2",
-                                    fields.numbers.normal_stiffness, file));
+    if (constants.nonlinear && fields.numbers.normal_stiffness > 0)
+      source.notes->add(
+          fmt::format("--kn {} N/m is used, but {} is of a law that is not linear, whose kn is in {}",
+                      fields.numbers.normal_stiffness, file, constants.unit_of_stiffness));
     if (values.size() > 1 && fields.numbers.normal_stiffness == 0 && takes_stiffness(fields))
       source.notes->add(
-          fmt::format("{}: k_n is {} to {} N/m, by the types that touch: E and G are in Pa, not in k_n/h",
+          fmt::format("{}: k_n is {} to {} N/m, by the types that touch: E and G are not in units of k_n/h",
                       file, *values.begin(), *values.rbegin()));
   }
   double stiffness = fields.numbers.normal_stiffness;
@@ -118,8 +119,13 @@ void take_friction(const FrameSource& source, FieldChoice& fields) {
     const auto& all = constants.friction;
     const bool one = std::all_of(all.begin(), all.end(), [&](double value) { return same(value, all[0]); });
     if (mu == 0 && wanted && one && !all.empty()) mu = all[0];
-    const auto other = std::find_if(all.begin(), all.end(), [mu](double value) { return !same(value, mu); });
-    if (mu > 0 && other != all.end())
+    const auto is_mu = [mu](double value) { return same(value, mu); };
+    const auto other = std::find_if_not(all.begin(), all.end(), is_mu);
+    if (mu == 0 || other == all.end()) continue;
+    if (std::any_of(all.begin(), all.end(), is_mu))
+      source.notes->add(fmt::format("--mu {} is used for all contacts, but in {} other types have mu = {}",
+                                    mu, file, *other));
+    else
       source.notes->add(fmt::format("--mu {} is used, but {} says {}", mu, file, *other));
   }
 }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/warnings.h"
 #include "io/tables/json.h"
 #include "model/error.h"
 #include "physics/contact/contact_duration.h"
@@ -35,6 +36,11 @@ void require_friction(bool given, std::string_view option, const TimestepOptions
 void check(const TimestepOptions& o) {
   require(o.radius > 0, "--radius", "a length above 0 (m)", o.radius);
   require(o.density > 0, "--density", "an areal density rho h above 0 (kg/m^2)", o.density);
+  constexpr double metals = 20000, highest = 5;  // kg/m^3, diameters
+  if (o.density > metals * highest * 2 * o.radius)
+    tell(fmt::format(
+        "--density {}: heavier than five diameters of metal (it is that of an area, rho h, in kg/m^2)",
+        o.density));
   require(o.kn > 0, "--kn", "a stiffness above 0", o.kn);
   require(std::isnan(o.gamman) || o.gamman >= 0, "--gamman", "a number from 0 on (kg/s)", o.gamman);
   require(std::isnan(o.restitution) || (o.restitution > 0 && o.restitution <= 1), "--restitution",

@@ -67,6 +67,32 @@ void check_period(const Rectangle& box, const Box& frame_box, Eigen::Index axis)
                   fmt::format("{}", box.size()[axis]));
 }
 
+// Whether the rectangle leaves out averaged discs, or puts a wall elsewhere than where its contacts are, by
+// more than a hundredth of its side.
+bool is_cut(const Frame& frame, const Rectangle& box, const std::vector<int>& bulk_types) {
+  constexpr double digits = 1e-9, most = 0.01;
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    const double length = box.size()[axis];
+    if (frame.box.periodic[static_cast<std::size_t>(axis)]) {
+      if (length < (1 - digits_of_dumps) * frame.box.length()[axis]) return true;
+      continue;
+    }
+    const auto outside = [&](const Particle& disc) {
+      const double place = disc.position[axis];
+      return is_bulk(disc, bulk_types) &&
+             (place < box.low[axis] - digits * length || place > box.high[axis] + digits * length);
+    };
+    if (std::any_of(frame.particles.begin(), frame.particles.end(), outside)) return true;
+  }
+  return std::any_of(frame.contacts.begin(), frame.contacts.end(), [&](const Contact& contact) {
+    const int wall = wall_of(contact);
+    if (wall < 0) return false;
+    const int axis = axis_of(wall);
+    const double side = (at_high_end(wall) ? box.high : box.low)[axis];
+    return std::abs(contact_point(frame, contact, true)[axis] - side) > most * box.size()[axis];
+  });
+}
+
 }  // namespace
 
 Rectangle wall_rectangle(const Frame& frame) {
@@ -104,6 +130,7 @@ BoxLoad box_load(const Frame& frame, const Rectangle& box, const std::vector<int
   load.force.fill(Eigen::Vector2d::Zero());
   load.moment.setZero();
   load.periodic = frame.box.periodic;
+  load.cut = is_cut(frame, box, bulk_types);
   const Eigen::Vector2d middle = 0.5 * (box.low + box.high);
   for (const Contact& contact : frame.contacts) {
     count_crossings(frame, contact, bulk_types, load);
@@ -148,6 +175,7 @@ void BoxBalance::add(const Rectangle& box, double height, const Eigen::Matrix2d&
   if (frames_ > 0 && load.periodic != periodic_)
     throw bad_input({"--box"}, "the boundaries of the box change", "those of the first frame", "others");
   periodic_ = load.periodic;
+  cut_ = cut_ || load.cut;
   ++frames_;
   low_ += box.low;
   high_ += box.high;
@@ -191,7 +219,7 @@ Eigen::Matrix2d BoxBalance::boundary_stress() const {
 
 bool BoxBalance::is_open(int axis) const {
   const auto index = static_cast<std::size_t>(axis);
-  return crossings_[index] > 0 || (periodic_[index] && !has_boundary());
+  return cut_ || crossings_[index] > 0 || (periodic_[index] && !has_boundary());
 }
 
 bool BoxBalance::may_have_wall(int number) const {

@@ -40,6 +40,7 @@ struct BoxLoad {
   std::array<std::int64_t, 2> wall_contacts = {};  ///< with left or right, with bottom or top
   std::array<std::int64_t, 2> crossings = {};      ///< averaged discs, across the boundary along x, y
   std::array<bool, 2> periodic = {};
+  bool cut = false;  ///< averaged discs lie outside of the rectangle, or it does not end at the walls
 };
 
 /// Throws (bad input) if contact forces cross a periodic boundary along one axis only and the rectangle does
@@ -78,11 +79,14 @@ class BoxBalance {
   /// walls. nan in columns that have no boundary.
   Eigen::Matrix2d boundary_stress() const;
   /// Whether the column of sigma for this normal has no boundary: forces cross a periodic boundary, or the
-  /// axis is periodic and there is no other boundary.
+  /// axis is periodic and there is no other boundary, or the rectangle is cut.
   bool is_open(int axis) const;
-  /// Whether there are contacts with any boundary, and with one of the four walls.
-  bool has_boundary() const { return boundary_contacts_ > 0; }
-  bool has_walls() const { return wall_contacts_[0] + wall_contacts_[1] > 0; }
+  /// Whether the rectangle is a part of the box in some frame, so that forces cross its edges.
+  bool is_cut() const { return cut_; }
+  /// Whether there are contacts with any boundary, and with one of the four walls, of a rectangle that is not
+  /// cut.
+  bool has_boundary() const { return boundary_contacts_ > 0 && !cut_; }
+  bool has_walls() const { return wall_contacts_[0] + wall_contacts_[1] > 0 && !cut_; }
   /// Whether this wall (of the four) can exist.
   bool may_have_wall(int number) const;
   WallStress wall(int number) const;
@@ -117,6 +121,7 @@ class BoxBalance {
   std::array<std::int64_t, 2> wall_contacts_ = {};
   std::array<std::int64_t, 2> crossings_ = {};
   std::array<bool, 2> periodic_ = {};
+  bool cut_ = false;
 };
 
 }  // namespace mikromakro

@@ -10,21 +10,27 @@
 namespace mikromakro {
 namespace {
 
-// Offsets of the sums: from springs, from forces, magnitudes of the springs, of all tangential forces and of
-// those without a spring, l (x) l.
+// Offsets of the sums: from springs, from forces, magnitudes of the springs, of all tangential forces, of
+// those without a spring and of all forces, l (x) l.
 constexpr int of_springs = 0;
 constexpr int of_forces = 2;
 constexpr int spring_size = 4;
-constexpr int all_tangential = 5, without_spring = 6;
-constexpr int dyad = 7;
+constexpr int all_tangential = 5, without_spring = 6, all_forces = 7;
+constexpr int dyad = 8;
 
-// A tangential force below this fraction of the force is rounding (including that of text dumps) from a law
-// without friction.
+// A tangential force below this fraction of the force is rounding from a law without friction.
 constexpr double no_friction = 1e-9;
 
 // One choice for all volumes: a volume without tangential forces is subject to the same law as the others.
 bool has_springs(const ConstRowsRef& numbers) {
   return (numbers.col(spring_size) > 0).any();
+}
+
+// Tangential forces of a law without friction are rounding: of forces and of normals that follow from places,
+// both with six digits.
+bool without_friction(const ConstRowsRef& numbers) {
+  constexpr double digits_of_dumps = 1e-3;
+  return numbers.col(all_tangential).sum() < digits_of_dumps * numbers.col(all_forces).sum();
 }
 
 // Frames of two laws, or some of whose rows give no springs: neither displacement is that of all contacts.
@@ -60,6 +66,7 @@ void Curvature::add_contacts(const Disc& /*disc*/, std::span<const DiscContact> 
     }
     quantity[spring_size] += std::abs(spring);
     quantity[all_tangential] += std::abs(force);
+    quantity[all_forces] += contact.force.norm();
     if (spring == 0) quantity[without_spring] += std::abs(force);
   }
   add_branch_dyad(contacts, quantity.subspan(dyad));
@@ -71,7 +78,7 @@ void Curvature::solve(const VolumeData& /*volumes*/, const ConstRowsRef& numbers
     columns = std::numeric_limits<double>::quiet_NaN();
     return;
   }
-  const double per_number = springs ? 1.0 : 1.0 / normal_stiffness_;
+  const double per_number = springs ? 1.0 : without_friction(numbers) ? 0.0 : 1.0 / normal_stiffness_;
   for (Eigen::Index row = 0; row < numbers.rows(); ++row) {
     const auto sums = numbers_of(numbers, row, springs ? of_springs : of_forces, 2);
     const Eigen::Matrix2d inverse = inverse_branch_dyad(numbers_of(numbers, row, dyad, branch_dyad_sums));
@@ -86,6 +93,7 @@ std::string Curvature::note(const ConstRowsRef& numbers) const {
            "without "
            "their column?), not defined";
   if (has_springs(numbers)) return "curvature: Delta_t = -xi t, from the tangential springs";
+  if (without_friction(numbers)) return "curvature: no tangential forces beyond rounding, Delta_t = 0";
   if (normal_stiffness_ > 0) return "curvature: no tangential springs, Delta_t = f_t/k_n";
   return "curvature: no tangential springs and no --kn, not defined";
 }

@@ -6,7 +6,8 @@
 namespace mikromakro {
 namespace {
 
-constexpr double digits_of_dumps = 1e-6;
+// Forces of six digits, turned by the error of normals from places of six digits.
+constexpr double digits_of_dumps = 1e-4;
 
 }  // namespace
 

@@ -7,8 +7,8 @@
 namespace mikromakro {
 
 /// Number fraction of the contacts with |f_t| >= mu |f_n| and f_t not 0; each contact is weighted by the
-/// fraction of each of its discs in the volume. The comparison allows for 1e-6 mu |f_n|, the precision of
-/// text dumps. nan where there is no contact.
+/// fraction of each of its discs in the volume. The comparison allows for 1e-4 mu |f_n|, the precision of
+/// text dumps whose normals follow from places of six digits. nan where there is no contact.
 class SlidingContacts : public Field {
  public:
   explicit SlidingContacts(double friction_coefficient) : friction_(friction_coefficient) {}

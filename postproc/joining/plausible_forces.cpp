@@ -45,7 +45,7 @@ void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules
   const bool pull = some.is_none() && push_of(contacts, 1, false).is_none();
   constexpr const char* text =
       "contacts pull on the whole, or their forces are across (ids or columns exchanged? forces on the "
-      "other disc?); without cohesion they push";
+      "other disc?); without cohesion or strong dashpots they push";
   // Few discs may all be rebounding.
   if (some.count >= Push::many) {
     if (pull) rules.notes->add(text, rules.step);

@@ -7,16 +7,13 @@
 
 namespace mikromakro {
 
-namespace {
-
-bool changes_by(double part, const Box& before, const Box& after) {
-  return ((before.length() - after.length()).array().abs() > part * before.length().array()).any();
-}
-
-}  // namespace
-
 bool jumps(const Box& before, const Box& after) {
-  return changes_by(0.1, before, after);
+  constexpr double part = 0.1;
+  const Eigen::Array2d change = (before.length() - after.length()).array().abs();
+  for (Eigen::Index axis = 0; axis < 2; ++axis)
+    if (!after.wrapped[static_cast<std::size_t>(axis)] && change[axis] > part * before.length()[axis])
+      return true;
+  return false;
 }
 
 bool is_another(const Box& before, const Box& after) {

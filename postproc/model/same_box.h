@@ -7,8 +7,8 @@
 
 namespace mikromakro {
 
-/// Whether a side changes by more than a tenth, which is more than in a deforming box from one frame to the
-/// next.
+/// Whether a side that does not follow the discs changes by more than a tenth, which is more than in a
+/// deforming box from one frame to the next.
 bool jumps(const Box& before, const Box& after);
 
 /// The note if the number of discs changes as well.

@@ -216,9 +216,9 @@ void warn_of_density(LAMMPS& engine, const std::string& style) {
   });
   if (disc != none)
     warn(engine, style + ": disc " + std::to_string(disc) +
-                     " is heavier than five diameters of metal: the density of discs is that of an area, rho "
-                     "h in kg/m^2, not "
-                     "kg/m^3");
+                     " is heavier than five diameters of metal (a long rod, or a density in kg/m^3? that of "
+                     "discs is of an area, rho "
+                     "h in kg/m^2)");
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-std::string shortest(double value) {
+std::string text_of(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
@@ -114,11 +114,16 @@ double duration(const physics::ContactParameters& p, const physics::Effects& eff
   return physics::with_law(effects.normal, [&](auto law) { return law.duration(used, c); });
 }
 
-/// Shortest contact duration over all pairs of types that can collide [s]; infinite if nothing moves.
-double shortest_contact(const TypesAtHand& at_hand, const std::vector<double>& overlaps,
-                        const TimeScales& law) {
+/// Over all pairs of types that can collide [s]; infinite if nothing moves.
+struct ShortestTimes {
+  double contact = infinite;  // t_c
+  double dashpot = infinite;  // m12/gamma_n, in which the dashpot alone slows a pair down by 1/e
+};
+
+ShortestTimes shortest_times(const TypesAtHand& at_hand, const std::vector<double>& overlaps,
+                             const TimeScales& law) {
   const std::size_t types = at_hand.mass.size();
-  double shortest = infinite;
+  ShortestTimes shortest;
   for (std::size_t i = 0; i < types; ++i) {
     const double m_i = at_hand.mass[i], a_i = at_hand.radius[i];
     if (!std::isfinite(m_i)) continue;
@@ -128,7 +133,9 @@ double shortest_contact(const TypesAtHand& at_hand, const std::vector<double>& o
       const double velocity = std::max(law.impact_velocity, at_hand.speed[i] + at_hand.speed[j]);
       const auto meet = [&](double m12, double a_j) {
         const physics::Collision meeting{m12, physics::reduced_radius(a_i, a_j), velocity, overlap};
-        shortest = std::min(shortest, duration(p, law.effects, meeting));
+        shortest.contact = std::min(shortest.contact, duration(p, law.effects, meeting));
+        if (law.effects.normal_dashpot && p.normal_damping > 0)
+          shortest.dashpot = std::min(shortest.dashpot, m12 / p.normal_damping);
       };
       if (std::isfinite(m_j)) meet(physics::reduced_mass(m_i, m_j), at_hand.radius[j]);
       if (at_hand.carried_radius[j] > 0) meet(m_i, at_hand.carried_radius[j]);
@@ -141,6 +148,23 @@ bool any_moves(const TypesAtHand& types) {
   return std::any_of(types.mass.begin(), types.mass.end(), [](double m) { return std::isfinite(m); });
 }
 
+/// Velocity Verlet of a pair with a dashpot is unstable above dt = 2 m12/gamma_n. As for springs, the
+/// stiffest mode of a triangular packing has three times the rate of a pair.
+void check_dashpot(LAMMPS& engine, const std::string& style, double slowing_down) {
+  constexpr double most = 2.0 / 3, accurate = 0.25;
+  const double dt = engine.update->dt;
+  const std::string what = style + ": time step " + text_of(dt) + " s is above ",
+                    of = " of the shortest time in which a dashpot acts (m12/gamma_n = " +
+                         text_of(slowing_down) + " s)",
+                    better =
+                        "'timestep " + text_of(accurate * slowing_down) + "' or less, or a smaller gamman";
+  if (dt > most * slowing_down)
+    engine.error->all(
+        FLERR,
+        (what + "two thirds" + of + ", the integration would be unstable; expected " + better).c_str());
+  if (dt > accurate * slowing_down) warn(engine, what + "a quarter" + of + "; expected " + better);
+}
+
 }  // namespace
 
 void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& style, const TimeScales& law) {
@@ -148,8 +172,10 @@ void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& s
   const auto at_hand = types_at_hand(atom, *engine.modify, engine.world);
   const bool by_velocity = physics::depends_on_velocity(law.effects.normal);
   const std::vector<double> untouched(law.materials.values().size(), 0.0);
-  const double t_c =
-      shortest_contact(at_hand, by_velocity ? largest_overlaps(atom, list, engine.world) : untouched, law);
+  const ShortestTimes times =
+      shortest_times(at_hand, by_velocity ? largest_overlaps(atom, list, engine.world) : untouched, law);
+  check_dashpot(engine, style, times.dashpot);
+  const double t_c = times.contact;
   if (!std::isfinite(t_c)) {
     if (by_velocity && any_moves(at_hand)) {
       warn(engine, style +
@@ -159,9 +185,9 @@ void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& s
     return;
   }
   const double dt = engine.update->dt;
-  const std::string step = ": time step " + shortest(dt) + " s is above ";
-  const std::string contact = "of the shortest contact (t_c = " + shortest(t_c) + " s)";
-  const std::string better = "'timestep " + shortest(t_c / physics::steps_per_contact) + "'";
+  const std::string step = ": time step " + text_of(dt) + " s is above ";
+  const std::string contact = "of the shortest contact (t_c = " + text_of(t_c) + " s)";
+  const std::string better = "'timestep " + text_of(t_c / physics::steps_per_contact) + "'";
   if (dt > t_c / physics::least_steps_per_contact) {
     engine.error->all(FLERR, (style + step + "a quarter " + contact +
                               ", the integration would be unstable; expected " + better + " (t_c/50) or less")
@@ -171,7 +197,7 @@ void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& s
     warn(engine, style + step + "t_c/50 " + contact + "; " + better + " would do");
   constexpr double many_steps = 5000;
   if (dt < t_c / many_steps)
-    warn(engine, style + ": time step " + shortest(dt) + " s is below t_c/5000 " + contact +
+    warn(engine, style + ": time step " + text_of(dt) + " s is below t_c/5000 " + contact +
                      " (was 'timestep' forgotten?); " + better + " would do");
 }
 

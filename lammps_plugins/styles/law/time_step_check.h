@@ -22,11 +22,11 @@ struct TimeScales {
 };
 
 /// Stops the run on all ranks, with one line, if the time step exceeds a quarter of the shortest contact
-/// duration; warns above a fiftieth. Linear law: t_c of the lightest discs of each pair of types. Hertz: the
-/// shorter of two times: t_c at the impact velocity, or at the sum of the largest present speeds of both
-/// types if that is larger; and pi / sqrt(k/m12) with the tangent stiffness k at the largest present overlap,
-/// or k_t for a law with a spring. `style`: prefix of messages. Collective; call when the neighbour list is
-/// built.
+/// duration, or two thirds of m12/gamma_n; warns above a fiftieth and a quarter of these. Linear law: t_c of
+/// the lightest discs of each pair of types. Hertz: the shorter of two times: t_c at the impact velocity, or
+/// at the sum of the largest present speeds of both types if that is larger; and pi / sqrt(k/m12) with the
+/// tangent stiffness k at the largest present overlap, or k_t for a law with a spring. `style`: prefix of
+/// messages. Collective; call when the neighbour list is built.
 void check_time_step(LAMMPS_NS::LAMMPS& engine, const LAMMPS_NS::NeighList& list, const std::string& style,
                      const TimeScales& law);
 

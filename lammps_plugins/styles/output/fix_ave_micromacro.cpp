@@ -17,6 +17,7 @@
 #include "mikromakro_version.h"
 #include "model/error.h"
 #include "model/nearest_name.h"
+#include "options/plausible_options.h"
 #include "options/value_checks.h"
 #include "output/frame_gathering.h"
 #include "update.h"
@@ -131,6 +132,7 @@ void FixAveMicromacro::init() {
   notice_new_count();
   if (!active_disc_law(*lmp))
     stop(*lmp, style, std::string("needs '") + disc_pair_style + "' before the run");
+  require_orthogonal_box(*lmp, style);
   check_outputs(*lmp, *this);
   for (const int type : options_.volumes.bulk_types)
     if (type > atom->ntypes)
@@ -188,6 +190,7 @@ void FixAveMicromacro::end_of_step() {
   on_first_rank(*lmp, style, [&] {
     Frame frame;
     join(raw, frame, {});
+    look(frame);
     averaged_.add(frame.step, averager_->frame_sums(frame));
     if (update->ntimestep % write_every_ == 0) write();
   });
@@ -195,6 +198,34 @@ void FixAveMicromacro::end_of_step() {
   if (update->ntimestep % write_every_ != 0) return;
   waiting_ = 0;
   announced_ = false;
+}
+
+bool FixAveMicromacro::needs_forces() const {
+  return (averager_->contacts_needed() & column_set(ContactColumn::fx)) != 0;
+}
+
+/// As the program does (options/plausible_options.h); the height is looked at beside the radii of all types.
+void FixAveMicromacro::look(const Frame& frame) {
+  VolumeOptions volumes = options_.volumes;
+  volumes.height = 0;
+  note_volumes(frame, volumes, notes_);
+  note_friction(frame, options_.fields.numbers.friction_coefficient, notes_);
+  note_stiffness(frame, options_.fields.numbers.normal_stiffness, notes_);
+  if (needs_forces()) note_branch(frame, options_.volumes, notes_);
+  if (discs_) return;
+  const auto solid = make_averager(options_.volumes, make_fields({"solid_fraction"}));
+  discs_ = (solid->frame_sums(frame) != 0).any();
+}
+
+/// Once for all tables.
+void FixAveMicromacro::tell() {
+  if (told_) return;
+  if (!discs_) notes_.add("no disc lies in the volumes, or is of the types that are averaged");
+  for (std::string text : notes_.lines()) {
+    if (text.starts_with("--")) text.erase(0, 2);
+    print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + text);
+    told_ = true;
+  }
 }
 
 void FixAveMicromacro::run_ended() {
@@ -211,12 +242,9 @@ void FixAveMicromacro::write() {
   Preamble lines = {
       {"program", "mikromakro " MIKROMAKRO_VERSION " fix ave/micromacro"},
       {"run", std::string("group ") + group->names[igroup] + ", every " + std::to_string(nevery) + " steps"}};
-  const bool forces = (averager_->contacts_needed() & column_set(ContactColumn::fx)) != 0;
-  if (forces && has_engine_walls(*modify))
+  if (needs_forces() && has_engine_walls(*modify))
     lines.emplace_back("warning", std::string("contacts with ") + engine_walls + " are not in the averages");
-  if ((averaged_.sums.mean() == 0).all())
-    print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
-                         "): no disc lies in the volumes, or is of the types that are averaged");
+  tell();
   write_averages(options_, *averager_, averaged_, lines, outputs);
   if (windows_) averaged_ = {no_sums(options_, *averager_), {}};
 }

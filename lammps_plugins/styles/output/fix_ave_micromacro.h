@@ -26,6 +26,7 @@
 #include "law/contact_rows.h"
 #include "law/contact_schedule.h"
 #include "law/disc_law.h"
+#include "model/notes.h"
 #include "options/average_options.h"
 #include "output/output_names.h"
 
@@ -53,6 +54,9 @@ class FixAveMicromacro : public FixWithClock, public ContactObserver, public Fil
  private:
   void parse(std::vector<std::string> words);
   void write();
+  bool needs_forces() const;
+  void look(const Frame& frame);
+  void tell();
   void warn_of_change();
   void warn_of_constants() const;
   void warn_of(const std::string& name, const std::string& keyword, double given) const;
@@ -64,7 +68,10 @@ class FixAveMicromacro : public FixWithClock, public ContactObserver, public Fil
   bool announced_ = false;                   // next frame announced since the last one
   bool windows_ = false;                     // each file holds its own frames only
   std::unique_ptr<const Averager> averager_;
-  Averaged averaged_;  // on the first rank
+  Averaged averaged_;  // on the first rank, as are those below
+  Notes notes_;
+  bool discs_ = false;  // some disc has been in the volumes
+  bool told_ = false;
 };
 
 }  // namespace mikromakro::styles

@@ -60,6 +60,7 @@ int FixSnapshotDisc::setmask() {
 void FixSnapshotDisc::init() {
   if (!active_disc_law(*lmp))
     stop(*lmp, style, std::string("needs '") + disc_pair_style + "' before the run");
+  require_orthogonal_box(*lmp, style);
   check_outputs(*lmp, *this);
 }
 

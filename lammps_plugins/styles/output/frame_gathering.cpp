@@ -139,6 +139,11 @@ RawFrame gather_frame(LAMMPS& engine, int group_bit, const std::string& style) {
   return frame;
 }
 
+void require_orthogonal_box(LAMMPS& engine, const std::string& style) {
+  if (engine.domain->triclinic != 0)
+    stop(engine, style, "expected an orthogonal box, got a tilted (triclinic) one");
+}
+
 void warn_of_height(LAMMPS& engine, const LAMMPS_NS::Fix& fix, double height) {
   const DiscLaw& law = *active_disc_law(engine);
   double largest = 0;

@@ -17,6 +17,9 @@ namespace mikromakro::styles {
 /// step were not recorded. `style`: caller, for messages. Collective.
 RawFrame gather_frame(LAMMPS_NS::LAMMPS& engine, int group_bit, const std::string& style);
 
+/// Stops the run if the box is tilted: frames hold none.
+void require_orthogonal_box(LAMMPS_NS::LAMMPS& engine, const std::string& style);
+
 /// Warns if a height (m; 0: not given) is not plausible beside the radii: in mm, say.
 void warn_of_height(LAMMPS_NS::LAMMPS& engine, const LAMMPS_NS::Fix& fix, double height);
 

@@ -113,10 +113,13 @@ RunConstants read_constants(const Hdf5File& file, const std::string& name) {
   constants.height = height_in(file, name);
   constants.friction = table_in(file, "coefficientFriction", name);
   constants.normal_stiffness = table_in(file, "kn", name);
-  constants.hertz = unit_of(file, "kn") == "N/m^2";
-  if (constants.hertz)
+  if (constants.normal_stiffness.empty()) return constants;
+  constants.unit_of_stiffness = unit_of(file, "kn");
+  // Of f_n = k_n overlap^q: N/m^q.
+  constants.nonlinear = constants.unit_of_stiffness.starts_with("N/m^");
+  if (constants.nonlinear)
     constants.normal_stiffness.clear();
-  else if (!constants.normal_stiffness.empty())
+  else
     check_unit(file, "kn", "N/m", name);
   return constants;
 }

@@ -32,7 +32,8 @@ struct RunConstants {
   double height = 0;                     ///< m, 0: not given
   std::vector<double> normal_stiffness;  ///< k_n (N/m) of all pairs of types i, j at (i - 1) * types + j - 1;
                                          ///< empty for non-linear laws
-  bool hertz = false;                    ///< Hertz: kn (N/m^2) is not a linear stiffness
+  std::string unit_of_stiffness;         ///< of kn
+  bool nonlinear = false;                ///< kn is no linear stiffness, since its unit is N/m^q
   std::vector<double> friction;          ///< mu of all pairs of types
   std::string law;                       ///< its effects, and those of walls, in words; empty: not given
   std::string unrecorded_walls;          ///< whose contacts are not in the rows; empty: none, or not known

@@ -152,8 +152,10 @@ void DumpReader::read_box(std::string_view flags, DumpHeader& header) {
     throw bad_input(place(), "box is not orthogonal", "three boundary flags or none", in_quotes(flags));
   box.boundaries_known = !kinds.empty();
   // The words are views that the next line invalidates.
-  for (std::size_t axis = 0; axis < 2 && !kinds.empty(); ++axis)
+  for (std::size_t axis = 0; axis < 2 && !kinds.empty(); ++axis) {
     box.periodic[axis] = is_periodic(kinds[axis], place());
+    box.wrapped[axis] = kinds[axis].find_first_of("sm") != std::string_view::npos;
+  }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string_view line = header_line("box bounds");
     const auto bounds = words(line);

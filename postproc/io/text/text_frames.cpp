@@ -115,9 +115,9 @@ void TextFrames::check_system() {
   const bool back = last_size_ && rows == rows_before_last_ && last_size_->rows < rows;
   if ((lost || back) && std::max(rows, last_size_->rows) >= many_discs)
     wishes_->notes->add(
-        frames_.file(0) +
-            (lost ? ": more than a third of the discs of the frame before are missing (rows left out?)"
-                  : ": discs are there again that the frame before lacks (rows left out?)"),
+        frames_.file(0) + (lost ? ": more than a third of the discs of the frame before are missing (discs "
+                                  "that left, or rows left out?)"
+                                : ": discs are there again that the frame before lacks (rows left out?)"),
         header.step);
   rows_before_last_ = last_size_ ? last_size_->rows : -1;
   last_size_ = {header.box, rows};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "app/plausible_options.h"
+#include "options/plausible_options.h"
 
 #include <fmt/format.h>
 
@@ -24,18 +24,12 @@ std::size_t stride_of(std::size_t count) {
   return 1 + (count - 1) / enough;
 }
 
-void note_height(const Frame& frame, double height, Notes& notes) {
-  constexpr double unit_depth = 1;
-  if (!(height > 0) || height == unit_depth || frame.particles.empty()) return;
-  double radius = 0;
+double mean_radius(const Frame& frame) {
+  double sum = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < frame.particles.size(); i += stride_of(frame.particles.size()), ++count)
-    radius += frame.particles[i].radius;
-  radius /= static_cast<double>(count);
-  if (!is_plausible_height(height, radius))
-    notes.add(fmt::format("--height {} is {:.1g} times the mean radius of the discs (it is in m)", height,
-                          height / radius),
-              frame.step);
+    sum += frame.particles[i].radius;
+  return sum / static_cast<double>(count);
 }
 
 void note_kernel(const Frame& frame, const VolumeOptions& volumes, Notes& notes) {
@@ -86,24 +80,31 @@ void note_extent(const Frame& frame, const VolumeOptions& volumes, Notes& notes)
 
 }  // namespace
 
+void note_height(const Frame& frame, double height, Notes& notes) {
+  constexpr double unit_depth = 1;
+  if (!(height > 0) || height == unit_depth || frame.particles.empty()) return;
+  const double radius = mean_radius(frame);
+  if (!is_plausible_height(height, radius))
+    notes.add(fmt::format("--height {} is {:.1g} times the mean radius of the discs (it is in m)", height,
+                          height / radius),
+              frame.step);
+}
+
+void note_density(const Frame& frame, double density, double height, Notes& notes) {
+  if (frame.particles.empty()) return;
+  constexpr double metals = 20000, highest = 5;  // kg/m^3, diameters
+  const double most = metals * (height > 0 ? height : highest * 2 * mean_radius(frame));
+  if (density > most)
+    notes.add(fmt::format(
+        "--density {}: heavier than discs of metal {} high, {:.3g} kg/m^2 (it is that of an area, rho h, "
+        "in kg/m^2)",
+        density, height > 0 ? fmt::format("{} m", height) : "five diameters", most));
+}
+
 void note_volumes(const Frame& frame, const VolumeOptions& volumes, Notes& notes) {
   note_height(frame, volumes.height, notes);
   note_kernel(frame, volumes, notes);
   note_extent(frame, volumes, notes);
-}
-
-bool lack_walls(const InputOptions& input) {
-  return input.contact_columns.size() == 1 && input.walls.empty();  // the name of a preset
-}
-
-void note_walls(const Frame& frame, const InputOptions& input, Notes& notes) {
-  const bool closed = frame.box.boundaries_known && (!frame.box.periodic[0] || !frame.box.periodic[1]);
-  constexpr std::size_t enough = 5;
-  if (lack_walls(input) && closed && frame.contacts.size() >= enough)
-    notes.add(fmt::format(
-        "--contact-columns {}: these rows lack contacts with walls that are no discs, and stresses near "
-        "such walls lack them (--wall-contacts adds those of meshes)",
-        input.contact_columns.front()));
 }
 
 void note_branch(const Frame& frame, const VolumeOptions& volumes, Notes& notes) {
@@ -139,9 +140,10 @@ void note_friction(const Frame& frame, double mu, Notes& notes) {
     return std::count_if(ratios.begin(), ratios.end(), [&](double one) { return one > ratio; });
   };
   notes.judge(
-      fmt::format("--mu {}: more than a tenth of the contacts carry larger tangential forces than mu allows "
-                  "(of another run?)",
-                  mu),
+      fmt::format(
+          "--mu {}: more than a tenth of the contacts carry larger tangential forces than mu allows "
+          "(of another run? or a law that adds a dashpot to the limited spring, as of stock LIGGGHTS)",
+          mu),
       10 * number_above((1 + rounding) * mu) > std::ssize(ratios), frame.step);
   // Contacts that slide all have the same ratio.
   const double largest = *std::max_element(ratios.begin(), ratios.end());

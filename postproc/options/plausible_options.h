@@ -3,23 +3,22 @@
 // statistics require at least 20 discs or contacts.
 #pragma once
 
-#include "app/input_options.h"
 #include "model/frame.h"
 #include "model/notes.h"
 #include "options/volume_options.h"
 
 namespace mikromakro {
 
+/// Notes a height (m; 0: not given) that is not plausible: in mm, say.
+void note_height(const Frame& frame, double height, Notes& notes);
+
+/// Notes an areal density (kg/m^2) above that of metals for discs of this height (m; 0: five diameters): in
+/// kg/m^3, say.
+void note_density(const Frame& frame, double density, double height, Notes& notes);
+
 /// Notes a height that is not plausible (given in mm, say), a kernel wider than the box, and volumes that
 /// together extend more than five times as far as the discs, or less than a radius.
 void note_volumes(const Frame& frame, const VolumeOptions& volumes, Notes& notes);
-
-/// Whether the contact rows are those of stock engines, without a file of those with walls.
-bool lack_walls(const InputOptions& input);
-
-/// For stresses: notes that contact rows of stock engines lack contacts with walls, unless the box is
-/// periodic.
-void note_walls(const Frame& frame, const InputOptions& input, Notes& notes);
 
 /// For stresses: notes if branch vectors of the length of the radii (`--branch radius`) are too long by more
 /// than 2 %, from the mean overlap over the mean diameter.
