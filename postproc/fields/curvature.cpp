@@ -93,9 +93,9 @@ std::string Curvature::note(const ConstRowsRef& numbers) const {
            "without "
            "their column?), not defined";
   if (has_springs(numbers)) return "curvature: Delta_t = -xi t, from the tangential springs";
+  if (!(normal_stiffness_ > 0)) return "curvature: no tangential springs and no --kn, not defined";
   if (without_friction(numbers)) return "curvature: no tangential forces beyond rounding, Delta_t = 0";
-  if (normal_stiffness_ > 0) return "curvature: no tangential springs, Delta_t = f_t/k_n";
-  return "curvature: no tangential springs and no --kn, not defined";
+  return "curvature: no tangential springs, Delta_t = f_t/k_n";
 }
 
 }  // namespace mikromakro

@@ -17,8 +17,8 @@ struct Box {
   Eigen::Vector2d low = Eigen::Vector2d::Zero();
   Eigen::Vector2d high = Eigen::Vector2d::Zero();
   std::array<bool, 2> periodic = {false, false};
-  std::array<bool, 2> wrapped = {false, false};  ///< the box follows the discs: no period, nothing to compare
   bool boundaries_known = true;  ///< false: the file does not say which boundaries are periodic
+  std::array<bool, 2> wrapped = {false, false};  ///< the box follows the discs: no period, nothing to compare
 
   Eigen::Vector2d length() const { return high - low; }
   /// For messages.
