@@ -70,8 +70,11 @@ TEST(ExponentialProfile, ChangeOfTheParametersIsThatOfTheFit) {
         less.v[i] -= step;
         const ExponentialProfile high = fit_exponential(more, r_i, of), low = fit_exponential(less, r_i, of);
         const double of_v0 = (high.v0 - low.v0) / (2 * step), of_s = (high.s - low.s) / (2 * step);
-        expect_measured(fit.change(0, i) / of_v0, 1, 1e-6);
-        expect_measured(fit.change(1, i) / of_s, 1, 1e-6);
+        // Fits end at 1e-8 of their parameters, at worst 1e-4 of such a difference; Eigen 3.4 and 5 end at
+        // other places, 1e-6 apart.
+        constexpr double end_of_fits = 1e-5;
+        expect_measured(fit.change(0, i) / of_v0, 1, end_of_fits);
+        expect_measured(fit.change(1, i) / of_s, 1, end_of_fits);
       }
     }
   }
