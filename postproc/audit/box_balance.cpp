@@ -175,7 +175,7 @@ void BoxBalance::add(const Rectangle& box, double height, const Eigen::Matrix2d&
   if (frames_ > 0 && load.periodic != periodic_)
     throw bad_input({"--box"}, "the boundaries of the box change", "those of the first frame", "others");
   periodic_ = load.periodic;
-  cut_ = cut_ || load.cut;
+  cut_ = cut_ || (load.cut && load.boundary_contacts > 0);
   ++frames_;
   low_ += box.low;
   high_ += box.high;

@@ -26,11 +26,12 @@ bool has_springs(const ConstRowsRef& numbers) {
   return (numbers.col(spring_size) > 0).any();
 }
 
-// Tangential forces of a law without friction are rounding: of forces and of normals that follow from places,
-// both with six digits.
-bool without_friction(const ConstRowsRef& numbers) {
-  constexpr double digits_of_dumps = 1e-3;
-  return numbers.col(all_tangential).sum() < digits_of_dumps * numbers.col(all_forces).sum();
+// Tangential forces of a law without friction that are rounding: of forces and of normals that follow from
+// places, both with six digits.
+bool are_rounding(const ConstRowsRef& numbers) {
+  constexpr double digits_of_dumps = 1e-4;
+  const double tangential = numbers.col(all_tangential).sum();
+  return tangential > 0 && tangential < digits_of_dumps * numbers.col(all_forces).sum();
 }
 
 // Frames of two laws, or some of whose rows give no springs: neither displacement is that of all contacts.
@@ -74,11 +75,11 @@ void Curvature::add_contacts(const Disc& /*disc*/, std::span<const DiscContact> 
 
 void Curvature::solve(const VolumeData& /*volumes*/, const ConstRowsRef& numbers, RowsRef columns) const {
   const bool springs = has_springs(numbers);
-  if (are_mixed(numbers) || (!springs && !(normal_stiffness_ > 0))) {
+  if (are_mixed(numbers) || (!springs && (!(normal_stiffness_ > 0) || are_rounding(numbers)))) {
     columns = std::numeric_limits<double>::quiet_NaN();
     return;
   }
-  const double per_number = springs ? 1.0 : without_friction(numbers) ? 0.0 : 1.0 / normal_stiffness_;
+  const double per_number = springs ? 1.0 : 1.0 / normal_stiffness_;
   for (Eigen::Index row = 0; row < numbers.rows(); ++row) {
     const auto sums = numbers_of(numbers, row, springs ? of_springs : of_forces, 2);
     const Eigen::Matrix2d inverse = inverse_branch_dyad(numbers_of(numbers, row, dyad, branch_dyad_sums));
@@ -94,7 +95,7 @@ std::string Curvature::note(const ConstRowsRef& numbers) const {
            "their column?), not defined";
   if (has_springs(numbers)) return "curvature: Delta_t = -xi t, from the tangential springs";
   if (!(normal_stiffness_ > 0)) return "curvature: no tangential springs and no --kn, not defined";
-  if (without_friction(numbers)) return "curvature: no tangential forces beyond rounding, Delta_t = 0";
+  if (are_rounding(numbers)) return "curvature: tangential forces do not exceed rounding, not defined";
   return "curvature: no tangential springs, Delta_t = f_t/k_n";
 }
 
