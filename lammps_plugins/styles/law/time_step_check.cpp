@@ -165,6 +165,22 @@ void check_dashpot(LAMMPS& engine, const std::string& style, double slowing_down
   if (dt > accurate * slowing_down) warn(engine, what + "a quarter" + of + "; expected " + better);
 }
 
+void check_contact(LAMMPS& engine, const std::string& style, double t_c) {
+  const double dt = engine.update->dt;
+  const std::string step = style + ": time step " + text_of(dt) + " s is ";
+  const std::string contact = " of the shortest contact (t_c = " + text_of(t_c) + " s)";
+  const std::string better = "'timestep " + text_of(t_c / physics::steps_per_contact) + "'";
+  if (dt > t_c / physics::least_steps_per_contact)
+    engine.error->all(FLERR, (step + "above a quarter" + contact +
+                              ", the integration would be unstable; expected " + better + " (t_c/50) or less")
+                                 .c_str());
+  if (dt > t_c / physics::steps_per_contact * (1 + 1e-9))
+    warn(engine, step + "above t_c/50" + contact + "; " + better + " would do");
+  constexpr double many_steps = 5000;
+  if (dt < t_c / many_steps)
+    warn(engine, step + "below t_c/5000" + contact + " (was 'timestep' forgotten?); " + better + " would do");
+}
+
 }  // namespace
 
 void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& style, const TimeScales& law) {
@@ -174,31 +190,13 @@ void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& s
   const std::vector<double> untouched(law.materials.values().size(), 0.0);
   const ShortestTimes times =
       shortest_times(at_hand, by_velocity ? largest_overlaps(atom, list, engine.world) : untouched, law);
+  if (std::isfinite(times.contact))
+    check_contact(engine, style, times.contact);
+  else if (by_velocity && any_moves(at_hand))
+    warn(engine, style +
+                     ": nothing moves or touches yet, so that the duration of contacts is not known and "
+                     "the time step not checked; expected 'impact_velocity V' with the pair style");
   check_dashpot(engine, style, times.dashpot);
-  const double t_c = times.contact;
-  if (!std::isfinite(t_c)) {
-    if (by_velocity && any_moves(at_hand)) {
-      warn(engine, style +
-                       ": nothing moves or touches yet, so that the duration of contacts is not known and "
-                       "the time step not checked; expected 'impact_velocity V' with the pair style");
-    }
-    return;
-  }
-  const double dt = engine.update->dt;
-  const std::string step = ": time step " + text_of(dt) + " s is above ";
-  const std::string contact = "of the shortest contact (t_c = " + text_of(t_c) + " s)";
-  const std::string better = "'timestep " + text_of(t_c / physics::steps_per_contact) + "'";
-  if (dt > t_c / physics::least_steps_per_contact) {
-    engine.error->all(FLERR, (style + step + "a quarter " + contact +
-                              ", the integration would be unstable; expected " + better + " (t_c/50) or less")
-                                 .c_str());
-  }
-  if (dt > t_c / physics::steps_per_contact * (1 + 1e-9))
-    warn(engine, style + step + "t_c/50 " + contact + "; " + better + " would do");
-  constexpr double many_steps = 5000;
-  if (dt < t_c / many_steps)
-    warn(engine, style + ": time step " + text_of(dt) + " s is below t_c/5000 " + contact +
-                     " (was 'timestep' forgotten?); " + better + " would do");
 }
 
 }  // namespace mikromakro::styles
