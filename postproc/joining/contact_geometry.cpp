@@ -339,7 +339,7 @@ void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>
 /// f_t/xi over f_n/overlap is about k_t/k_n, near 1, for contacts that stick and, with both at the Coulomb
 /// limit, for those that slide; dashpots scatter it. A sample suffices in frames not checked closely.
 void note_size_of_springs(const std::vector<Contact>& contacts, const ContactRules& rules) {
-  constexpr std::size_t enough = 20, sample = 128;
+  constexpr std::size_t enough = 20, sample = 40;
   constexpr double most = 100, never = 300;
   double tangential = 0, springs = 0, normal = 0, overlaps = 0;
   std::size_t count = 0;
@@ -358,13 +358,12 @@ void note_size_of_springs(const std::vector<Contact>& contacts, const ContactRul
   const double ratio = tangential / springs * overlaps / normal;
   const auto beyond = [&](double bound) { return ratio > bound || ratio < 1 / bound; };
   constexpr const char* text =
-      "f_t over the tangential springs is not within a factor of a hundred of f_n over the overlaps (springs "
-      "of "
-      "another unit, or another quantity in their column?)";
+      "f_t over the tangential springs is not within a factor of a hundred of f_n over the overlaps "
+      "(springs of another unit, or another quantity in their column?)";
   // A metre taken for a millimetre is no matter of fast motion: one frame tells.
   if (beyond(never))
     rules.notes->add(text, rules.step);
-  else
+  else if (rules.closely)
     rules.notes->judge(text, beyond(most), rules.step);
 }
 
