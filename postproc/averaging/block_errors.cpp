@@ -139,14 +139,17 @@ void ask_for_little_bias(const std::vector<Eigen::Index>& places, const PseudoVa
                          const CorrelationTime& correlation, ErrorDecision& decision) {
   constexpr double most = 1.0 / 3;  // of the error
   if (!decision.given) return;
-  double biases = 0, squares = 0;
+  std::vector<double> squares;  // of bias over error
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double time = correlation.of_series[static_cast<Eigen::Index>(i)];
-    const double variance = values.variance.data()[places[i]];
-    biases += std::pow(bias_of(values.bias.data()[places[i]], time), 2) / variance;
-    squares += time / static_cast<double>(values.deviations.size());
+    const double error =
+        std::sqrt(values.variance.data()[places[i]] * time / static_cast<double>(values.deviations.size()));
+    squares.push_back(std::pow(bias_of(values.bias.data()[places[i]], time) / error, 2));
   }
-  const double needed = decision.samples * biases / squares / (most * most);
+  // Not the mean: quotients have large biases where their denominators vanish.
+  const auto middle = squares.begin() + std::ssize(squares) / 2;
+  std::nth_element(squares.begin(), middle, squares.end());
+  const double needed = decision.samples * *middle / (most * most);
   decision.needed = std::max(decision.needed, needed);
   decision.given = decision.samples >= decision.needed;
 }

@@ -45,7 +45,7 @@ struct BlockErrors {
 /// with q_i computed from the mean of all blocks but i. For quantities linear in the sums they are the block
 /// means. With s^2 their variance, err^2 = 2 tau s^2/m/(1 - 2 tau/m), and err is multiplied by the widening
 /// of the decision. The bias of q, 2 (2 tau) (m - 1) (mean of q_i - q), is added to it by squares; a field
-/// where it exceeds a third of the errors, root mean square, has none.
+/// where it exceeds a third of the error in half of the series has none.
 ///
 /// 2 tau is computed from the pseudo-values of all columns of a field in all volumes together
 /// (correlation_time.h), and one decision is made for the whole field (error_decision.h). If runs differ by
