@@ -53,9 +53,20 @@ class Joiner {
     plain_ = plain_ && (with_components_ ? all(components_of_force) : true);
   }
 
-  /// False if the row is not a contact.
-  bool join(std::size_t i, Contact& contact) const {
+  /// False if the row is not a contact. Contacts that are deep, or with walls, are counted.
+  bool join(std::size_t i, Contact& contact) {
     if (plain_ && join_plain(rows_.rows[i], contact)) return true;
+    if (!join_any(i, contact)) return false;
+    deep_ += is_deep(contact) ? 1 : 0;
+    walls_ += contact.with_wall() ? 1 : 0;
+    return true;
+  }
+
+  std::int64_t deep() const { return deep_; }
+  std::int64_t walls() const { return walls_; }
+
+ private:
+  bool join_any(std::size_t i, Contact& contact) const {
     const RowView row{rows_.rows[i], rows_.given_in(i), i};
     contact.id1 = static_cast<std::int64_t>(row[id1]);
     contact.id2 = static_cast<std::int64_t>(row[id2]);
@@ -71,13 +82,13 @@ class Joiner {
   }
 
   /// Contact laws for discs do not cover overlaps of more than half the smaller radius.
+  static constexpr double deep_part = 0.5;
   bool is_deep(const Contact& contact) const {
     const double one = disc(contact.index1).radius;
     const double smaller = contact.with_wall() ? one : std::min(one, disc(contact.index2).radius);
-    return contact.overlap > 0.5 * smaller;
+    return contact.overlap > deep_part * smaller;
   }
 
- private:
   int find(std::int64_t id, std::size_t i) const {
     const int index = discs_.ids.find(id);
     if (index < 0)
@@ -89,7 +100,7 @@ class Joiner {
   const Particle& disc(int index) const { return discs_.particles[static_cast<std::size_t>(index)]; }
 
   /// Fast path for nearly all rows of most files: a contact of two discs with consistent normal, overlap and
-  /// force. False for anything else.
+  /// force, that is not deep. False for anything else.
   bool join_plain(const ContactRow& row, Contact& contact) const {
     contact.id1 = static_cast<std::int64_t>(row[id1]);
     contact.id2 = static_cast<std::int64_t>(row[id2]);
@@ -107,7 +118,8 @@ class Joiner {
     const double smaller = std::min(one.radius, two.radius);
     const double slack = tolerance_.of_geometry(smaller, reach, contact.overlap, false);
     const double allowed = tolerance_.of_place(smaller);
-    return contact.overlap > 0 && fits(contact, two.position - one.position, reach, slack) &&
+    return contact.overlap > 0 && contact.overlap <= deep_part * smaller &&
+           fits(contact, two.position - one.position, reach, slack) &&
            (!with_places_ || (is_at(row, x1, y1, one, allowed) && is_at(row, x2, y2, two, allowed))) &&
            (!with_components_ || are_components(row, contact));
   }
@@ -284,6 +296,7 @@ class Joiner {
   BranchImages images_;
   bool plain_ = false;  ///< rows have all columns that join_plain needs, none that it ignores
   bool with_places_ = false, with_components_ = false;
+  std::int64_t deep_ = 0, walls_ = 0;
 };
 
 /// |f_t|/|f_n| that a tenth of the contacts reach: the friction coefficient, where discs slide.
@@ -371,10 +384,9 @@ void note_size_of_springs(const std::vector<Contact>& contacts, const ContactRul
 
 std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& discs,
                                    const ContactRules& rules) {
-  const Joiner joiner(rows, discs, rules);
+  Joiner joiner(rows, discs, rules);
   std::vector<Contact> contacts;
   RowOfContact row_of;
-  std::int64_t deep = 0, walls = 0;
   contacts.reserve(rows.rows.size());
   Contact contact;
   for (std::size_t i = 0; i < rows.rows.size(); ++i) {
@@ -383,26 +395,24 @@ std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& 
       continue;
     }
     contacts.push_back(contact);
-    deep += joiner.is_deep(contact) ? 1 : 0;
-    walls += contact.with_wall() ? 1 : 0;
   }
   check_pairs(contacts, row_of, rows, discs.particles, discs.box);
   check_springs_pull_back(rows, contacts, rules.closely);
   const auto left_out = static_cast<std::int64_t>(row_of.left_out());
   if (rules.notes == nullptr) return contacts;
   note_size_of_springs(contacts, rules);
-  if (walls > 0) {
+  if (joiner.walls() > 0) {
     note_wall_forces(contacts, rules);
     note_walls_twice(contacts, discs.particles, *rules.notes, rules.step);
   }
   if (left_out > 0)
     rules.notes->add("near pairs without force that do not touch are no contacts, left out", rules.step,
                      left_out);
-  if (deep > 0)
+  if (joiner.deep() > 0)
     rules.notes->add(
         "contacts overlap by more than half of the smaller radius (k_n too small for the load, or a density "
         "in kg/m^3 where rho h in kg/m^2 was meant?)",
-        rules.step, deep);
+        rules.step, joiner.deep());
   return contacts;
 }
 
