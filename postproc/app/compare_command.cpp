@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/averaging_run.h"
 #include "app/commands.h"
 #include "app/comparison_report.h"
-#include "app/memory_need.h"
-#include "app/run_constants.h"
 #include "io/files/output_file.h"
 #include "model/error.h"
 #include "options/field_options.h"
 #include "options/plausible_options.h"
 #include "options/volume_options.h"
+#include "verbs/averaging_run.h"
+#include "verbs/memory_need.h"
+#include "verbs/run_constants.h"
 
 namespace mikromakro {
 namespace {

@@ -4,10 +4,6 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "app/input_options.h"
-#include "app/progress.h"
-#include "app/run_constants.h"
-#include "app/warnings.h"
 #include "io/files/file_list.h"
 #include "io/files/output_file.h"
 #include "io/snapshot/snapshot_layout.h"
@@ -15,6 +11,10 @@
 #include "model/error.h"
 #include "options/plausible_options.h"
 #include "options/value_checks.h"
+#include "verbs/input_options.h"
+#include "verbs/progress.h"
+#include "verbs/run_constants.h"
+#include "verbs/warnings.h"
 
 namespace mikromakro {
 namespace {

@@ -7,12 +7,12 @@
 #include "app/commands.h"
 #include "app/dump_summary.h"
 #include "app/mercury_summary.h"
-#include "app/warnings.h"
 #include "io/files/file_list.h"
 #include "io/files/line_reader.h"
 #include "io/snapshot/snapshot_reader.h"
 #include "io/tables/csv_reader.h"
 #include "io/tables/json.h"
+#include "verbs/warnings.h"
 
 namespace mikromakro {
 namespace {

@@ -5,11 +5,11 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "app/warnings.h"
 #include "io/tables/json.h"
 #include "model/error.h"
 #include "physics/contact/contact_duration.h"
 #include "physics/impact/impact.h"
+#include "verbs/warnings.h"
 
 namespace mikromakro {
 namespace {

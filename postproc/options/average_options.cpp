@@ -73,19 +73,22 @@ void describe_frames(const Averaged& averaged, Preamble& lines) {
   if (!averaged.first_frame.empty()) lines.emplace_back("first frame", averaged.first_frame);
 }
 
-BlockErrors write_averages(const AverageOptions& options, const Averager& averager, const Averaged& averaged,
-                           Preamble lines, TableOutputs& outputs) {
+AveragedTable averaged_table(const AverageOptions& options, const Averager& averager,
+                             const Averaged& averaged, Preamble lines) {
   const Rows mean = averaged.sums.mean();
-  Table table = averager.solve(mean);
-  describe_fields(options.fields, lines);
-  describe_frames(averaged, lines);
-  describe_volumes(options.volumes, lines, true, averager.uses_height());
-  describe_numbers(options.fields, lines);
-  for (const std::string& note : averager.notes(mean)) lines.emplace_back("note", note);
-  BlockErrors errors;
-  if (options.error_blocks != 0) errors = add_errors(averager, averaged.sums, table, lines);
-  outputs.commit(lines, table, ring_centre(options.volumes));
-  return errors;
+  AveragedTable averages{std::move(lines), averager.solve(mean), {}};
+  describe_fields(options.fields, averages.lines);
+  describe_frames(averaged, averages.lines);
+  describe_volumes(options.volumes, averages.lines, true, averager.uses_height());
+  describe_numbers(options.fields, averages.lines);
+  for (const std::string& note : averager.notes(mean)) averages.lines.emplace_back("note", note);
+  if (options.error_blocks != 0)
+    averages.errors = add_errors(averager, averaged.sums, averages.table, averages.lines);
+  return averages;
+}
+
+void write_averages(const AverageOptions& options, const AveragedTable& averages, TableOutputs& outputs) {
+  outputs.commit(averages.lines, averages.table, ring_centre(options.volumes));
 }
 
 }  // namespace mikromakro

@@ -56,10 +56,17 @@ struct Averaged {
 /// Adds the header line that says which frames were averaged.
 void describe_frames(const Averaged& averaged, Preamble& lines);
 
-/// Computes the table, with errors unless the options disable them, and writes it below `lines`, after
-/// appending a description of all options. At least one frame is required. Returns how the errors were
-/// obtained.
-BlockErrors write_averages(const AverageOptions& options, const Averager& averager, const Averaged& averaged,
-                           Preamble lines, TableOutputs& outputs);
+/// A table with its header, and how its errors were obtained.
+struct AveragedTable {
+  Preamble lines;
+  Table table;
+  BlockErrors errors;
+};
+
+/// Computes the table, with errors unless the options disable them, below `lines` and a description of all
+/// options. At least one frame is required.
+AveragedTable averaged_table(const AverageOptions& options, const Averager& averager,
+                             const Averaged& averaged, Preamble lines);
+void write_averages(const AverageOptions& options, const AveragedTable& averages, TableOutputs& outputs);
 
 }  // namespace mikromakro

@@ -245,7 +245,7 @@ void FixAveMicromacro::write() {
   if (needs_forces() && has_engine_walls(*modify))
     lines.emplace_back("warning", std::string("contacts with ") + engine_walls + " are not in the averages");
   tell();
-  write_averages(options_, *averager_, averaged_, lines, outputs);
+  write_averages(options_, averaged_table(options_, *averager_, averaged_, std::move(lines)), outputs);
   if (windows_) averaged_ = {no_sums(options_, *averager_), {}};
 }
 

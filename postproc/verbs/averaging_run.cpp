@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "app/averaging_run.h"
+#include "verbs/averaging_run.h"
 
 #include <fmt/format.h>
 
@@ -12,15 +12,15 @@
 #include <utility>
 #include <vector>
 
-#include "app/coverage.h"
-#include "app/progress.h"
-#include "app/runs_used.h"
-#include "app/warnings.h"
 #include "averaging/repeated_frames.h"
 #include "io/files/file_list.h"
 #include "model/error.h"
 #include "options/plausible_options.h"
 #include "options/value_checks.h"
+#include "verbs/coverage.h"
+#include "verbs/progress.h"
+#include "verbs/runs_used.h"
+#include "verbs/warnings.h"
 
 namespace mikromakro {
 namespace {

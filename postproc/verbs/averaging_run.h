@@ -4,10 +4,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/input_options.h"
 #include "averaging/parallel/ordered_sums.h"
 #include "averaging/parallel/ranks.h"
 #include "options/average_options.h"
+#include "verbs/input_options.h"
 
 namespace mikromakro {
 

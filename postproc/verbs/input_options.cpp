@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "app/input_options.h"
+#include "verbs/input_options.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "app/warnings.h"
 #include "io/files/file_list.h"
 #include "io/hdf5/hdf5_file.h"
 #include "io/snapshot/snapshot_summary.h"
 #include "model/error.h"
 #include "options/value_checks.h"
+#include "verbs/warnings.h"
 
 namespace mikromakro {
 

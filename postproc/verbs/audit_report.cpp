@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "app/audit_report.h"
+#include "verbs/audit_report.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "model/error.h"
@@ -27,9 +28,10 @@ std::string number_or_dash(double value, int width, std::string_view format) {
   return fmt::format("{:>{}}", fmt::format(fmt::runtime(format), value), width);
 }
 
-void print_balances(const Balances& balances) {
+void add_balances(std::string& text, const Balances& balances) {
   for (const Balance& balance : balances)
-    fmt::print("{:<9} {}  {}\n", balance.name, number_or_dash(balance.value, 10, "{:.3e}"), balance.text);
+    fmt::format_to(std::back_inserter(text), "{:<9} {}  {}\n", balance.name,
+                   number_or_dash(balance.value, 10, "{:.3e}"), balance.text);
 }
 
 void add_balances(Json& json, const Balances& balances) {

@@ -25,13 +25,20 @@ struct Balance {
 };
 using Balances = std::vector<Balance>;
 
+/// The result of an audit.
+struct AuditReport {
+  Balances balances;
+  std::string text;  ///< tables and balances
+  Json json;
+};
+
 /// Normal forces of the discs compared with their overlaps; without k_n, the fraction that is tensile.
 Balance law_balance(const NormalForces& forces);
 
 /// The number in the given format, or '-' if it is nan.
 std::string number_or_dash(double value, int width, std::string_view format);
 
-void print_balances(const Balances& balances);
+void add_balances(std::string& text, const Balances& balances);
 void add_balances(Json& json, const Balances& balances);
 
 /// Throws (failed run) if a balance is off by more than the bound, or could not be evaluated. nan: no bound.

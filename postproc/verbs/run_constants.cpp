@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "app/run_constants.h"
+#include "verbs/run_constants.h"
 
 #include <fmt/format.h>
 

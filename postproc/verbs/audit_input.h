@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-#include "app/audit_report.h"
-#include "app/input_options.h"
 #include "options/volume_options.h"
+#include "verbs/audit_report.h"
+#include "verbs/input_options.h"
 
 namespace mikromakro {
 

@@ -2,11 +2,12 @@
 // Results of a box audit, as text and as JSON.
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "app/audit_report.h"
 #include "audit/box_balance.h"
 #include "audit/cell_balance.h"
+#include "verbs/audit_report.h"
 
 namespace mikromakro {
 
@@ -18,7 +19,7 @@ struct BoxAudit {
   Balances balances;
 };
 
-void print_text(const BoxAudit& audit);
-void print_json(const BoxAudit& audit);
+std::string text_of(const BoxAudit& audit);
+Json json_of(const BoxAudit& audit);
 
 }  // namespace mikromakro

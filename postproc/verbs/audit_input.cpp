@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "app/audit_input.h"
+#include "verbs/audit_input.h"
 
 #include <cmath>
 
-#include "app/coverage.h"
-#include "app/progress.h"
-#include "app/runs_used.h"
-#include "app/warnings.h"
 #include "io/files/file_list.h"
 #include "model/error.h"
 #include "options/plausible_options.h"
 #include "options/value_checks.h"
+#include "verbs/coverage.h"
+#include "verbs/progress.h"
+#include "verbs/runs_used.h"
+#include "verbs/warnings.h"
 
 namespace mikromakro {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Output of a profile fit.
+// Results of a profile fit, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -7,6 +7,7 @@
 
 #include "fit/fit_choices.h"
 #include "fit/fit_errors.h"
+#include "io/tables/json.h"
 
 namespace mikromakro {
 
@@ -23,7 +24,7 @@ struct FitReport {
   std::vector<FitChoice> choices;
 };
 
-void print_json(const FitReport& report);
-void print_text(const FitReport& report);
+Json json_of(const FitReport& report);
+std::string text_of(const FitReport& report);
 
 }  // namespace mikromakro

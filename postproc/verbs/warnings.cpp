@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "app/warnings.h"
+#include "verbs/warnings.h"
 
 #include <fmt/format.h>
 
 #include <cstdio>
 
+#include "verbs/listener.h"
+
 namespace mikromakro {
 
 void tell(const std::string& warning) {
+  if (Listener* listener = Listener::of_this_thread()) return listener->warning(warning);
   fmt::print(stderr, "mikromakro: warning: {}\n", warning);
 }
 

@@ -5,9 +5,12 @@
 #include <chrono>
 #include <cstdint>
 
+#include "verbs/listener.h"
+
 namespace mikromakro {
 
-/// Draws on stderr at most ten times per second; nothing if stderr is not a terminal or if `quiet`.
+/// Draws on stderr at most ten times per second; nothing if stderr is not a terminal or if `quiet`. A
+/// Listener of this thread gets every update instead.
 class Progress {
  public:
   Progress(std::int64_t total_bytes, bool quiet);
@@ -20,6 +23,7 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
   std::int64_t total_;
+  Listener* listener_;
   bool shown_;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point last_ = begin_;

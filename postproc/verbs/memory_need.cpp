@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "app/memory_need.h"
+#include "verbs/memory_need.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

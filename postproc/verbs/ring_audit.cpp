@@ -3,15 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
-#include "app/audits.h"
 #include "audit/contact_balance.h"
 #include "audit/normal_forces.h"
 #include "audit/ring_balance.h"
 #include "averaging/time_average.h"
 #include "model/error.h"
+#include "verbs/audits.h"
 
 namespace mikromakro {
 namespace {
@@ -65,7 +66,7 @@ void note_wheel_outside(const Frame& frame, const AuditOptions& options, double 
               frame.step);
 }
 
-RingAudit audit(const AuditOptions& options) {
+RingAudit ring_audit(const AuditOptions& options) {
   const VolumeOptions volumes = checked(options.volumes);
   const auto rings = make_averager(volumes, make_fields({"solid_fraction", "stress"}));
   const auto whole = make_averager(one_ring(volumes), make_fields({"solid_fraction"}));
@@ -107,21 +108,26 @@ RingAudit audit(const AuditOptions& options) {
   return result;
 }
 
-void print_text(const RingAudit& audit) {
-  fmt::print("{:>10} {:>14} {:>10} {:>16} {:>14}\n", "r/m", "torque/(N m)", "/wheel",
-             "d(r s_rr)/dr/" + audit.units.stress, "s_phiphi/" + audit.units.stress);
+std::string text_of(const RingAudit& audit) {
+  std::string text;
+  fmt::format_to(std::back_inserter(text), "{:>10} {:>14} {:>10} {:>16} {:>14}\n", "r/m", "torque/(N m)",
+                 "/wheel", "d(r s_rr)/dr/" + audit.units.stress, "s_phiphi/" + audit.units.stress);
   for (const RingBalance& ring : audit.rings) {
-    fmt::print("{:>10.6g} {} {} {} {}{}\n", ring.r, number_or_dash(ring.torque, 14, "{:.6g}"),
-               number_or_dash(ring.torque / audit.wheel_torque, 10, "{:.4f}"),
-               number_or_dash(ring.slope, 16, "{:.6g}"), number_or_dash(ring.sigma_phiphi, 14, "{:.6g}"),
-               ring.counts ? "" : "  at a wall");
+    fmt::format_to(std::back_inserter(text), "{:>10.6g} {} {} {} {}{}\n", ring.r,
+                   number_or_dash(ring.torque, 14, "{:.6g}"),
+                   number_or_dash(ring.torque / audit.wheel_torque, 10, "{:.4f}"),
+                   number_or_dash(ring.slope, 16, "{:.6g}"), number_or_dash(ring.sigma_phiphi, 14, "{:.6g}"),
+                   ring.counts ? "" : "  at a wall");
   }
-  fmt::print("{} frames; torque of the discs on the wheel {} N m; volume of discs {:.6g} {}\n", audit.frames,
-             number_or_dash(audit.wheel_torque, 1, "{:.6g}"), audit.volume_inside, audit.units.volume);
-  print_balances(audit.balances);
+  fmt::format_to(std::back_inserter(text),
+                 "{} frames; torque of the discs on the wheel {} N m; volume of discs {:.6g} {}\n",
+                 audit.frames, number_or_dash(audit.wheel_torque, 1, "{:.6g}"), audit.volume_inside,
+                 audit.units.volume);
+  add_balances(text, audit.balances);
+  return text;
 }
 
-void print_json(const RingAudit& audit) {
+Json json_of(const RingAudit& audit) {
   Json json = Json::object();
   json["frames"] = audit.frames;
   json["wheel_torque"] = audit.wheel_torque;
@@ -138,15 +144,14 @@ void print_json(const RingAudit& audit) {
   add("radial_slope", [](const RingBalance& ring) { return ring.slope; });
   add("sigma_phiphi", [](const RingBalance& ring) { return ring.sigma_phiphi; });
   add("counts", [](const RingBalance& ring) { return ring.counts ? 1.0 : 0.0; });
-  fmt::print("{}\n", text_of(json));
+  return json;
 }
 
 }  // namespace
 
-Balances audit_rings(const AuditOptions& options) {
-  const RingAudit result = audit(options);
-  options.json ? print_json(result) : print_text(result);
-  return result.balances;
+AuditReport audit_rings(const AuditOptions& options) {
+  const RingAudit result = ring_audit(options);
+  return {result.balances, text_of(result), json_of(result)};
 }
 
 }  // namespace mikromakro

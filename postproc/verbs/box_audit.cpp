@@ -5,14 +5,14 @@
 #include <limits>
 #include <optional>
 
-#include "app/audits.h"
-#include "app/box_audit_report.h"
 #include "audit/cell_balance.h"
 #include "audit/contact_balance.h"
 #include "audit/normal_forces.h"
 #include "audit/table_column.h"
 #include "averaging/time_average.h"
 #include "model/error.h"
+#include "verbs/audits.h"
+#include "verbs/box_audit_report.h"
 
 namespace mikromakro {
 namespace {
@@ -214,13 +214,12 @@ class BoxAuditor {
 
 }  // namespace
 
-Balances audit_box(const AuditOptions& options) {
+AuditReport audit_box(const AuditOptions& options) {
   BoxAuditor auditor(options);
   read_frames(auditor.source(options.input), options, [&](const Frame& frame) { return auditor.add(frame); });
   BoxAudit audit = auditor.result();
   audit.units = options.units;
-  options.json ? print_json(audit) : print_text(audit);
-  return audit.balances;
+  return {audit.balances, text_of(audit), json_of(audit)};
 }
 
 }  // namespace mikromakro

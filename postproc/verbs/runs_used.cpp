@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "app/runs_used.h"
+#include "verbs/runs_used.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "app/coverage.h"
+#include "verbs/coverage.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,9 +9,9 @@
 #include <map>
 #include <set>
 
-#include "app/runs_used.h"
 #include "drawing/picture.h"
 #include "model/error.h"
+#include "verbs/runs_used.h"
 
 namespace mikromakro {
 namespace {

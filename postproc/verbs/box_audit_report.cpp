@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "app/box_audit_report.h"
+#include "verbs/box_audit_report.h"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <iterator>
 #include <limits>
 
 namespace mikromakro {
@@ -19,45 +20,49 @@ void add_stress(Json& json, std::string_view name, const Eigen::Matrix2d& stress
         stress(static_cast<Eigen::Index>(i / 2), static_cast<Eigen::Index>(i % 2));
 }
 
-void print_walls(const BoxBalance& box, std::string_view unit) {
+void add_walls(std::string& text, const BoxBalance& box, std::string_view unit) {
   // In the header, n is the axis normal to the wall.
-  fmt::print("{:>10} {:>14} {:>14} {:>14} {:>14}\n", "wall", "F_x/N", "F_y/N", fmt::format("s_xn/{}", unit),
-             fmt::format("s_yn/{}", unit));
+  fmt::format_to(std::back_inserter(text), "{:>10} {:>14} {:>14} {:>14} {:>14}\n", "wall", "F_x/N", "F_y/N",
+                 fmt::format("s_xn/{}", unit), fmt::format("s_yn/{}", unit));
   for (int number = 0; number < box_walls; ++number) {
     if (!box.may_have_wall(number)) continue;
     const WallStress wall = box.wall(number);
-    fmt::print("{:>10} {:>14.6g} {:>14.6g} {:>14.9g} {:>14.9g}\n",
-               wall_names[static_cast<std::size_t>(number)], wall.force[0], wall.force[1], wall.stress[0],
-               wall.stress[1]);
+    fmt::format_to(std::back_inserter(text), "{:>10} {:>14.6g} {:>14.6g} {:>14.9g} {:>14.9g}\n",
+                   wall_names[static_cast<std::size_t>(number)], wall.force[0], wall.force[1], wall.stress[0],
+                   wall.stress[1]);
   }
 }
 
 }  // namespace
 
-void print_text(const BoxAudit& audit) {
+std::string text_of(const BoxAudit& audit) {
+  std::string text;
   const Rectangle box = audit.box.box();
-  if (audit.box.has_walls()) print_walls(audit.box, audit.units.stress);
-  fmt::print("{:>10} {:>14} {:>14} {:>14} {:>14}\n", "", "s_xx/" + audit.units.stress,
-             "s_xy/" + audit.units.stress, "s_yx/" + audit.units.stress, "s_yy/" + audit.units.stress);
-  const auto print = [](std::string_view name, const Eigen::Matrix2d& stress) {
-    fmt::print("{:>10}", name);
+  if (audit.box.has_walls()) add_walls(text, audit.box, audit.units.stress);
+  fmt::format_to(std::back_inserter(text), "{:>10} {:>14} {:>14} {:>14} {:>14}\n", "",
+                 "s_xx/" + audit.units.stress, "s_xy/" + audit.units.stress, "s_yx/" + audit.units.stress,
+                 "s_yy/" + audit.units.stress);
+  const auto add = [&](std::string_view name, const Eigen::Matrix2d& stress) {
+    fmt::format_to(std::back_inserter(text), "{:>10}", name);
     for (const double component : {stress(0, 0), stress(0, 1), stress(1, 0), stress(1, 1)})
-      fmt::print(" {}", number_or_dash(component, 14, "{:.9g}"));
-    fmt::print("\n");
+      fmt::format_to(std::back_inserter(text), " {}", number_or_dash(component, 14, "{:.9g}"));
+    text += "\n";
   };
-  print("volume", audit.box.volume_stress());
-  if (audit.box.has_boundary()) print("boundary", audit.box.boundary_stress());
-  fmt::print("{} frames; box {:.9g} {:.9g} {:.9g} {:.9g} m; volume of discs {:.6g} {}; {}\n",
-             audit.box.frames(), box.low[0], box.high[0], box.low[1], box.high[1], audit.disc_volume,
-             audit.units.volume,
-             audit.box.is_cut()         ? "a part of the packing"
-             : audit.box.has_walls()    ? fmt::format("friction of walls {:.3g}", audit.box.friction())
-             : audit.box.has_boundary() ? "no contacts with walls -1 to -4"
-                                        : "no contacts with walls");
-  print_balances(audit.balances);
+  add("volume", audit.box.volume_stress());
+  if (audit.box.has_boundary()) add("boundary", audit.box.boundary_stress());
+  fmt::format_to(std::back_inserter(text),
+                 "{} frames; box {:.9g} {:.9g} {:.9g} {:.9g} m; volume of discs {:.6g} {}; {}\n",
+                 audit.box.frames(), box.low[0], box.high[0], box.low[1], box.high[1], audit.disc_volume,
+                 audit.units.volume,
+                 audit.box.is_cut()         ? "a part of the packing"
+                 : audit.box.has_walls()    ? fmt::format("friction of walls {:.3g}", audit.box.friction())
+                 : audit.box.has_boundary() ? "no contacts with walls -1 to -4"
+                                            : "no contacts with walls");
+  add_balances(text, audit.balances);
+  return text;
 }
 
-void print_json(const BoxAudit& audit) {
+Json json_of(const BoxAudit& audit) {
   Json json = Json::object();
   const Rectangle box = audit.box.box();
   json["frames"] = audit.box.frames();
@@ -87,7 +92,7 @@ void print_json(const BoxAudit& audit) {
   add("y", [](const CellBalance& cell) { return cell.y; });
   add("momentum_x", [](const CellBalance& cell) { return cell.left[0]; });
   add("momentum_y", [](const CellBalance& cell) { return cell.left[1]; });
-  fmt::print("{}\n", text_of(json));
+  return json;
 }
 
 }  // namespace mikromakro

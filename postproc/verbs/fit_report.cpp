@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "app/fit_report.h"
+#include "verbs/fit_report.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
-
-#include "io/tables/json.h"
 
 namespace mikromakro {
 namespace {
@@ -58,43 +57,50 @@ std::vector<Estimate> estimates(const FitReport& report) {
   return all;
 }
 
-void print_line(const Estimate& one, bool rough, bool chosen) {
+void add_line(const Estimate& one, bool rough, bool chosen, std::string& text) {
   const std::string unit = one.unit.empty() ? "" : " " + one.unit;
-  fmt::print("{} = {:.6g}", one.name, one.value);
+  fmt::format_to(std::back_inserter(text), "{} = {:.6g}", one.name, one.value);
   const std::string kind = rough ? "rough; " : "";
   if (one.no_decay())
-    fmt::print("{} ({}95 %: above {:.3g}{}, no decay is seen)", unit, kind, one.low(), unit);
+    fmt::format_to(std::back_inserter(text), "{} ({}95 %: above {:.3g}{}, no decay is seen)", unit, kind,
+                   one.low(), unit);
   else if (!std::isnan(one.error))
-    fmt::print(" +- {:.2g}{} ({}95 %: {:.6g} to {:.6g})", one.error, unit, kind, one.low(), one.high());
+    fmt::format_to(std::back_inserter(text), " +- {:.2g}{} ({}95 %: {:.6g} to {:.6g})", one.error, unit, kind,
+                   one.low(), one.high());
   else
-    fmt::print("{}", unit);
-  if (chosen) fmt::print("; by choices {:.4g} to {:.4g}", one.least, one.greatest);
-  fmt::print("\n");
+    fmt::format_to(std::back_inserter(text), "{}", unit);
+  if (chosen)
+    fmt::format_to(std::back_inserter(text), "; by choices {:.4g} to {:.4g}", one.least, one.greatest);
+  text += "\n";
 }
 
-void print_errors(const FitErrors& errors) {
-  fmt::print("errors: {}", errors.method);
-  if (!errors.remark.empty()) fmt::print(": {}", errors.remark);
+void add_errors(const FitErrors& errors, std::string& text) {
+  fmt::format_to(std::back_inserter(text), "errors: {}", errors.method);
+  if (!errors.remark.empty()) fmt::format_to(std::back_inserter(text), ": {}", errors.remark);
   if (!std::isnan(errors.two_tau))
-    fmt::print(", 2 tau = {:.3g} +- {:.2g} frames", errors.two_tau, errors.two_tau_error);
+    fmt::format_to(std::back_inserter(text), ", 2 tau = {:.3g} +- {:.2g} frames", errors.two_tau,
+                   errors.two_tau_error);
   if (!std::isnan(errors.freedom))
-    fmt::print(", {:.3g} effective samples, {:.3g} degrees of freedom", errors.samples, errors.freedom);
-  if (!std::isnan(errors.correlation)) fmt::print("; correlation of v0 and s {:.2f}", errors.correlation);
-  fmt::print("\n");
+    fmt::format_to(std::back_inserter(text), ", {:.3g} effective samples, {:.3g} degrees of freedom",
+                   errors.samples, errors.freedom);
+  if (!std::isnan(errors.correlation))
+    fmt::format_to(std::back_inserter(text), "; correlation of v0 and s {:.2f}", errors.correlation);
+  text += "\n";
 }
 
-void print_choices(const FitReport& report, const std::vector<Estimate>& all) {
+void add_choices(const FitReport& report, const std::vector<Estimate>& all, std::string& text) {
   const auto made = std::count_if(report.choices.begin(), report.choices.end(),
                                   [](const FitChoice& choice) { return !std::isnan(choice.v0); });
-  fmt::print("choices: {} fits", made);
+  fmt::format_to(std::back_inserter(text), "choices: {} fits", made);
   for (std::size_t i = 0; i < 2; ++i)
-    fmt::print("; least {} by {}, greatest by {}", all[i].name, all[i].least_by, all[i].greatest_by);
+    fmt::format_to(std::back_inserter(text), "; least {} by {}, greatest by {}", all[i].name, all[i].least_by,
+                   all[i].greatest_by);
   std::map<std::string, int> missing;
   for (const FitChoice& choice : report.choices)
     if (!choice.missing.empty()) ++missing[choice.missing];
   for (const auto& [why, count] : missing)
-    fmt::print("; {} of {} not there: {}", count, report.choices.size(), why);
-  fmt::print("\n");
+    fmt::format_to(std::back_inserter(text), "; {} of {} not there: {}", count, report.choices.size(), why);
+  text += "\n";
 }
 
 void add(const Estimate& one, Json& json) {
@@ -136,7 +142,7 @@ std::string of_what(const FitReport& report) {
 
 }  // namespace
 
-void print_json(const FitReport& report) {
+Json json_of(const FitReport& report) {
   Json json = Json::object();
   for (const Estimate& one : estimates(report)) add(one, json);
   json["r_i"] = report.r_i;
@@ -148,26 +154,29 @@ void print_json(const FitReport& report) {
   json["residuals_over_errors"] = report.residuals_over_errors;
   json["errors"] = errors_json(report.errors);
   json["choices"] = choices_json(report.choices);
-  fmt::print("{}\n", text_of(json));
+  return json;
 }
 
-void print_text(const FitReport& report) {
-  fmt::print(
+std::string text_of(const FitReport& report) {
+  std::string text;
+  fmt::format_to(
+      std::back_inserter(text),
       "{}(r) = v0 exp(-(r - R_i)/s), R_i = {:.6g} m, least squares of {}, {} rings, r = {:.6g} to {:.6g} m\n",
       report.column, report.r_i, of_what(report), report.fitted.used.size(), report.first_r, report.last_r);
   const std::vector<Estimate> all = estimates(report);
   const bool chosen = report.choices.size() > 1;  // else all choices were fixed by the user
   const bool rough = !std::isnan(report.errors.error[0]) && std::isnan(report.errors.freedom);
   for (const Estimate& one : all)
-    if (!std::isnan(one.value)) print_line(one, rough, chosen);
-  print_errors(report.errors);
-  if (chosen) print_choices(report, all);
-  fmt::print("rms of the residuals = {:.6g} {}", report.fitted.residual_rms,
-             report.unit.empty() ? "(the table does not tell the unit)" : report.unit);
+    if (!std::isnan(one.value)) add_line(one, rough, chosen, text);
+  add_errors(report.errors, text);
+  if (chosen) add_choices(report, all, text);
+  fmt::format_to(std::back_inserter(text), "rms of the residuals = {:.6g} {}", report.fitted.residual_rms,
+                 report.unit.empty() ? "(the table does not tell the unit)" : report.unit);
   if (!std::isnan(report.residuals_over_errors))
-    fmt::print(", {:.2g} of the rings' errors", report.residuals_over_errors);
-  fmt::print(" (it describes the fit, and is no error of v0 or s)");
-  fmt::print("\n");
+    fmt::format_to(std::back_inserter(text), ", {:.2g} of the rings' errors", report.residuals_over_errors);
+  fmt::format_to(std::back_inserter(text), " (it describes the fit, and is no error of v0 or s)");
+  text += "\n";
+  return text;
 }
 
 }  // namespace mikromakro

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verbs/audits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/error.h"
+#include "verbs/coverage.h"
+#include "verbs/run_constants.h"
+#include "verbs/warnings.h"
+
+namespace mikromakro {
+namespace {
+
+bool of_rings(const VolumeOptions& volumes) {
+  return !volumes.rings.empty() || !volumes.edges.empty();
+}
+
+void check_in_one_list(const AuditOptions& options) {
+  const std::vector<int>& bulk = options.volumes.bulk_types;
+  for (const int type : options.wheel_types)
+    if (std::find(bulk.begin(), bulk.end(), type) != bulk.end())
+      throw bad_input({"--wheel-types"}, "discs of the wheel are walls and are not averaged",
+                      "types that are not in --bulk-types", fmt::format("{} in both", type));
+}
+
+// Without --bulk-types all discs are averaged: the wheel would then contribute to the stresses, but not to
+// its own torque.
+void check_wheel_is_no_bulk(const AuditOptions& options) {
+  if (!options.wheel_types.empty() && options.volumes.bulk_types.empty())
+    throw bad_input({"--wheel-types"}, "the discs of the wheel would be averaged, too",
+                    "--bulk-types beside it, without those of the wheel", "none");
+}
+
+// Completes the options from the files, and checks that what they refer to exists.
+void complete(AuditOptions& options) {
+  check_in_one_list(options);
+  const FrameSource source = frame_source(options.input);
+  take_height(source, options.volumes.height);
+  note_other_runs(source);
+  note_unrecorded_walls(source);
+  if (options.volumes.height == 0) options.units = {"N/m", "m^2"};
+  options.volumes.height = thickness(options.volumes);
+  FieldChoice stiffness{{"stress"}, {}};
+  options.kn_given = !std::isnan(options.kn);
+  if (options.kn_given) stiffness.numbers.normal_stiffness = options.kn;
+  take_stiffness(source, options.volumes.bulk_types, stiffness);
+  if (stiffness.stiffness_of_run > 0) options.kn = stiffness.stiffness_of_run;
+  VolumeOptions volumes = options.volumes;
+  volumes.weight = "sliced";
+  check_before(source, volumes, of_rings(volumes) ? options.wheel_types : std::vector<int>());
+  if (of_rings(volumes)) check_wheel_is_no_bulk(options);
+  tell(*source.notes);
+}
+
+}  // namespace
+
+AuditReport audit(AuditOptions options) {
+  complete(options);
+  AuditReport report;
+  reading_again(options.input,
+                [&] { report = of_rings(options.volumes) ? audit_rings(options) : audit_box(options); });
+  return report;
+}
+
+}  // namespace mikromakro

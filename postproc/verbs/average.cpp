@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "verbs/average.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "averaging/block_table.h"
+#include "model/error.h"
+#include "options/error_report.h"
+#include "options/plausible_options.h"
+#include "verbs/memory_need.h"
+#include "verbs/run_constants.h"
+#include "verbs/warnings.h"
+
+namespace mikromakro {
+namespace {
+
+// The averager, and its input.
+struct Task {
+  AverageOptions options;  // completed with the constants from the files
+  std::unique_ptr<const Averager> averager;
+  FrameSource source;
+  std::unique_ptr<TableOutputs> outputs;  // on rank 0, if requested
+  std::unique_ptr<OutputFile> blocks;     // on rank 0, if requested
+};
+
+// --json requires that the table goes elsewhere and that there are errors.
+void check_json(const AverageOptions& options) {
+  const bool table_on_stdout =
+      options.out.empty() || std::find(options.out.begin(), options.out.end(), "-") != options.out.end();
+  if (table_on_stdout)
+    throw bad_input({"--json"}, "the table would stand on standard output too", "--out FILE",
+                    options.out.empty() ? "no --out" : "--out -");
+  if (options.error_blocks == 0)
+    throw bad_input({"--json"}, "there are no errors to tell of", "--error-blocks above 0", "0");
+}
+
+// Created at once, like the outputs of the table.
+std::unique_ptr<OutputFile> block_file(const AverageCommand& options,
+                                       const std::vector<std::string>& inputs) {
+  if (options.blocks.empty()) return nullptr;
+  if (!options.blocks.ends_with(".csv"))
+    throw bad_input({"--blocks"}, "unknown kind of output file", "a name ending in .csv",
+                    in_quotes(options.blocks));
+  if (options.average.error_blocks == 0)
+    throw bad_input({"--blocks"}, "no blocks of frames are kept", "--error-blocks above 0", "0");
+  std::vector<std::string> outputs = options.average.out;
+  outputs.push_back(options.blocks);
+  check_outputs(outputs, inputs);
+  return std::make_unique<OutputFile>(options.blocks);
+}
+
+bool needs_forces(const Averager& averager) {
+  return (averager.contacts_needed() & column_set(ContactColumn::fx)) != 0;
+}
+
+Task task_of(const AverageCommand& options, const Ranks& ranks) {
+  if (options.json) check_json(options.average);
+  Task task;
+  task.options = options.average;
+  VolumeOptions& volumes = task.options.volumes;
+  const FrameSource files = frame_source(options.input);
+  take_height(files, volumes.height);
+  take_stiffness(files, volumes.bulk_types, task.options.fields);
+  take_friction(files, task.options.fields);
+  note_other_runs(files);
+  task.averager = make_averager(task.options);
+  check_use(options.average.volumes, *task.averager);
+  // The block table holds the numbers again, both as values and as text.
+  const double copies = options.blocks.empty() ? 1 : 5;
+  check_memory({static_cast<double>(task.averager->volume_count() * task.averager->sum_count()),
+                threads_of(options.run, ranks),
+                copies * static_cast<double>(error_blocks(task.options, *task.averager))},
+               volume_option(volumes));
+  task.source = source_of(options.input, *task.averager);
+  task.source.notes = files.notes;
+  if (needs_forces(*task.averager)) note_unrecorded_walls(files);
+  if (!ranks.first()) return task;
+  if (options.table_on_stdout || !task.options.out.empty())
+    task.outputs = std::make_unique<TableOutputs>(task.options.out, files.files());
+  task.blocks = block_file(options, files.files());
+  return task;
+}
+
+// Weights by centres may crowd volumes.
+void note_crowded(const Task& task, const Averaged& averaged) {
+  const Table table = task.averager->solve(averaged.sums.mean());
+  const auto nu = std::find_if(table.columns.begin(), table.columns.end(),
+                               [](const Column& one) { return one.name == "nu"; });
+  if (nu == table.columns.end()) return;
+  if (task.options.volumes.weight == "centre") return;
+  constexpr double overlaps = 0.05;
+  if (2 * (table.rows.col(nu - table.columns.begin()) > 1 + overlaps).count() > table.rows.rows())
+    tell(
+        "nu is above 1 in most volumes: discs are larger than the volume that they are in (radii of another "
+        "unit, or "
+        "diameters?)");
+}
+
+AverageResult result_of(const AverageCommand& options, const Task& task, const Averaged& averaged) {
+  Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " average"}};
+  describe_input(options.input, task.source, averaged.runs.size(), lines);
+  if (task.blocks) task.blocks->commit(csv_text(lines, block_table(*task.averager, averaged.sums)));
+  AverageResult result;
+  result.table = averaged_table(task.options, *task.averager, averaged, std::move(lines));
+  if (task.outputs) write_averages(task.options, result.table, *task.outputs);
+  note_crowded(task, averaged);
+  if (const std::string doubt = doubt_of(result.table.errors); !doubt.empty()) tell(doubt);
+  if (task.options.error_blocks != 0) result.error_report = error_json(result.table.errors, averaged.sums);
+  return result;
+}
+
+AverageResult average_once(const AverageCommand& options, const Ranks& ranks) {
+  Task task;
+  ranks.agree([&] { task = task_of(options, ranks); });
+  const double stiffness = options.average.fields.numbers.normal_stiffness;  // as given
+  const bool with_forces = needs_forces(*task.averager);
+  const SumFrame sum = [&](const Frame& frame) {
+    note_density(frame, task.source.density, options.average.volumes.height, *task.source.notes);
+    note_stiffness(frame, stiffness, *task.source.notes);
+    note_friction(frame, task.options.fields.numbers.friction_coefficient, *task.source.notes);
+    if (with_forces) {
+      note_branch(frame, task.options.volumes, *task.source.notes);
+      note_walls(frame, options.input, *task.source.notes);
+    }
+    return task.averager->frame_sums(frame);
+  };
+  const Averaged averaged = average_frames(task.source, task.options.volumes, sum,
+                                           no_sums(task.options, *task.averager), options.run, ranks);
+  AverageResult result;
+  ranks.agree([&] {
+    if (ranks.first()) result = result_of(options, task, averaged);
+  });
+  return result;
+}
+
+}  // namespace
+
+void add_average_command_options(CLI::App& app, AverageCommand& options) {
+  add_input_options(app, options.input);
+  add_average_options(app, options.average);
+  add_run_options(app, options.run);
+  app.add_option("--blocks", options.blocks,
+                 "FILE.csv: the table without each block of frames, for `fit TABLE.csv --blocks FILE.csv`");
+  app.add_flag("--json", options.json,
+               "how the standard errors were made, as JSON on standard output; with --out");
+}
+
+AverageResult average(AverageCommand& options, const Ranks& ranks) {
+  AverageResult result;
+  reading_again(options.input, [&] { result = average_once(options, ranks); });
+  return result;
+}
+
+}  // namespace mikromakro
