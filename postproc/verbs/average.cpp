@@ -8,12 +8,14 @@
 #include <utility>
 
 #include "averaging/block_table.h"
+#include "io/snapshot/wall_series.h"
 #include "model/error.h"
 #include "options/error_report.h"
 #include "options/plausible_options.h"
 #include "verbs/memory_need.h"
 #include "verbs/run_constants.h"
 #include "verbs/warnings.h"
+#include "verbs/window_averages.h"
 
 namespace mikromakro {
 namespace {
@@ -23,8 +25,9 @@ struct Task {
   AverageOptions options;  // completed with the constants from the files
   std::unique_ptr<const Averager> averager;
   FrameSource source;
-  std::unique_ptr<TableOutputs> outputs;  // on rank 0, if requested
-  std::unique_ptr<OutputFile> blocks;     // on rank 0, if requested
+  std::unique_ptr<TableOutputs> outputs;    // on rank 0, as are those below; if requested
+  std::unique_ptr<WindowAverages> windows;  // in place of it, if requested
+  std::unique_ptr<OutputFile> blocks;       // if requested
 };
 
 // --json requires that the table goes elsewhere and that there are errors.
@@ -36,6 +39,29 @@ void check_json(const AverageOptions& options) {
                     options.out.empty() ? "no --out" : "--out -");
   if (options.error_blocks == 0)
     throw bad_input({"--json"}, "there are no errors to tell of", "--error-blocks above 0", "0");
+}
+
+// Both are of one table.
+void check_windows(const AverageCommand& options) {
+  check_windows(options.windows);
+  if (!options.windows.any()) return;
+  for (const auto& [name, given] :
+       {std::pair("--json", options.json), std::pair("--blocks", !options.blocks.empty())})
+    if (given)
+      throw bad_input({name}, "tells of the errors of one table", "no windows beside it",
+                      std::string(window_option(options.windows)));
+}
+
+// Blocks of frames held at the same time, for all frames and for the present window.
+double blocks_held(const AverageCommand& options, const Averager& averager) {
+  const auto blocks = static_cast<double>(error_blocks(options.average, averager));
+  if (options.windows.any()) {
+    const WindowRule rule = rule_of(options.windows);
+    const auto frames = static_cast<double>(rule.frames);
+    return std::min(blocks, frames) + (rule.moving ? frames : 0);
+  }
+  // The block table holds the numbers again, both as values and as text.
+  return (options.blocks.empty() ? 1 : 5) * blocks;
 }
 
 // Created at once, like the outputs of the table.
@@ -53,11 +79,19 @@ std::unique_ptr<OutputFile> block_file(const AverageCommand& options,
   return std::make_unique<OutputFile>(options.blocks);
 }
 
+std::vector<std::string> snapshot_files(const FrameSource& source) {
+  std::vector<std::string> files;
+  for (const Run& run : source.runs())
+    files.insert(files.end(), run.snapshot_files.begin(), run.snapshot_files.end());
+  return files;
+}
+
 bool needs_forces(const Averager& averager) {
   return (averager.contacts_needed() & column_set(ContactColumn::fx)) != 0;
 }
 
 Task task_of(const AverageCommand& options, const Ranks& ranks) {
+  check_windows(options);
   if (options.json) check_json(options.average);
   Task task;
   task.options = options.average;
@@ -69,17 +103,16 @@ Task task_of(const AverageCommand& options, const Ranks& ranks) {
   note_other_runs(files);
   task.averager = make_averager(task.options);
   check_use(options.average.volumes, *task.averager);
-  // The block table holds the numbers again, both as values and as text.
-  const double copies = options.blocks.empty() ? 1 : 5;
   check_memory({static_cast<double>(task.averager->volume_count() * task.averager->sum_count()),
-                threads_of(options.run, ranks),
-                copies * static_cast<double>(error_blocks(task.options, *task.averager))},
+                threads_of(options.run, ranks), blocks_held(options, *task.averager)},
                volume_option(volumes));
   task.source = source_of(options.input, *task.averager);
   task.source.notes = files.notes;
   if (needs_forces(*task.averager)) note_unrecorded_walls(files);
+  if (options.windows.any()) task.source.walls = wall_numbers(snapshot_files(files));
   if (!ranks.first()) return task;
-  if (options.table_on_stdout || !task.options.out.empty())
+  if (options.windows.any()) return task;  // created once the task has its place
+  if (!options.returns_table || !task.options.out.empty())
     task.outputs = std::make_unique<TableOutputs>(task.options.out, files.files());
   task.blocks = block_file(options, files.files());
   return task;
@@ -103,6 +136,11 @@ void note_crowded(const Task& task, const Averaged& averaged) {
 AverageResult result_of(const AverageCommand& options, const Task& task, const Averaged& averaged) {
   Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " average"}};
   describe_input(options.input, task.source, averaged.runs.size(), lines);
+  if (task.windows) {
+    AverageResult result{task.windows->write(averaged, std::move(lines)), {}};
+    note_crowded(task, averaged);
+    return result;
+  }
   if (task.blocks) task.blocks->commit(csv_text(lines, block_table(*task.averager, averaged.sums)));
   AverageResult result;
   result.table = averaged_table(task.options, *task.averager, averaged, std::move(lines));
@@ -115,10 +153,16 @@ AverageResult result_of(const AverageCommand& options, const Task& task, const A
 
 AverageResult average_once(const AverageCommand& options, const Ranks& ranks) {
   Task task;
-  ranks.agree([&] { task = task_of(options, ranks); });
+  ranks.agree([&] {
+    task = task_of(options, ranks);
+    if (options.windows.any() && ranks.first())
+      task.windows = std::make_unique<WindowAverages>(task.options, options.windows, *task.averager,
+                                                      task.source, options.returns_table);
+  });
   const double stiffness = options.average.fields.numbers.normal_stiffness;  // as given
   const bool with_forces = needs_forces(*task.averager);
   const SumFrame sum = [&](const Frame& frame) {
+    check_time(frame, task.source.files().front(), options.windows.time_step);
     note_density(frame, task.source.density, options.average.volumes.height, *task.source.notes);
     note_stiffness(frame, stiffness, *task.source.notes);
     note_friction(frame, task.options.fields.numbers.friction_coefficient, *task.source.notes);
@@ -128,8 +172,12 @@ AverageResult average_once(const AverageCommand& options, const Ranks& ranks) {
     }
     return task.averager->frame_sums(frame);
   };
-  const Averaged averaged = average_frames(task.source, task.options.volumes, sum,
-                                           no_sums(task.options, *task.averager), options.run, ranks);
+  TakeSums also;
+  if (task.windows) also = [&](const FrameSums& frame) { task.windows->add(frame); };
+  const bool keeps_blocks = !options.windows.any();  // of all frames
+  const Averaged averaged = average_frames(
+      task.source, task.options.volumes, sum,
+      keeps_blocks ? no_sums(task.options, *task.averager) : TimeAverage(0), options.run, ranks, also);
   AverageResult result;
   ranks.agree([&] {
     if (ranks.first()) result = result_of(options, task, averaged);
@@ -142,6 +190,7 @@ AverageResult average_once(const AverageCommand& options, const Ranks& ranks) {
 void add_average_command_options(CLI::App& app, AverageCommand& options) {
   add_input_options(app, options.input);
   add_average_options(app, options.average);
+  add_window_options(app, options.windows);
   add_run_options(app, options.run);
   app.add_option("--blocks", options.blocks,
                  "FILE.csv: the table without each block of frames, for `fit TABLE.csv --blocks FILE.csv`");
