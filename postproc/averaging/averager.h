@@ -34,8 +34,9 @@ class Averager {
   /// sum_p w^p V^p Q^p of one frame: volumes x numbers, the numbers of all fields side by side. It depends on
   /// the frame alone, so frames can be summed independently; discs are summed in the order of the frame. Each
   /// periodic image of a disc counts, with the contacts of the disc and the basis at its own position. Throws
-  /// (bad input) if there are too many images.
-  Rows frame_sums(const Frame& frame) const;
+  /// (bad input) if there are too many images. `given`: discs x numbers, the values of the caller's own
+  /// fields (fields/given_quantity.h); empty if there are none.
+  Rows frame_sums(const Frame& frame, const Rows& given = {}) const;
 
   /// Numbers of rows and columns of such sums.
   Eigen::Index volume_count() const { return volumes_->count(); }

@@ -25,7 +25,8 @@ struct Disc {
   /// Number of contacts, including those with walls and wall discs; `unknown` if there is no contact file.
   int contacts = 0;
   static constexpr int unknown = -1;
-  double mean_radius = 0;  ///< number average over all averaged discs of the frame
+  double mean_radius = 0;              ///< number average over all averaged discs of the frame
+  std::span<const double> given = {};  ///< values of the caller's own fields
 };
 
 /// A contact seen from that disc, in the same basis.

@@ -107,8 +107,14 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-void check_names(const std::vector<std::string>& names) {
-  const auto& known = field_names();
+void check_names(const std::vector<std::string>& names, const std::vector<GivenField>& given) {
+  std::vector<std::string_view> known = field_names();
+  for (const GivenField& field : given) {
+    if (field.name == "all" || std::find(known.begin(), known.end(), field.name) != known.end())
+      throw bad_input({"--fields"}, "two fields of one name", "another name for your own",
+                      in_quotes(field.name));
+    known.emplace_back(field.name);
+  }
   for (const std::string& name : names) {
     if (name != "all" && std::find(known.begin(), known.end(), name) == known.end())
       throw bad_input({"--fields"}, "unknown field",
@@ -160,7 +166,7 @@ std::vector<std::string> default_field_names(const FieldOptions& options) {
 }
 
 FieldList make_fields(const std::vector<std::string>& names, const FieldOptions& options) {
-  check_names(names);
+  check_names(names, options.given);
   const bool all = contains(names, "all");
   FieldList fields;
   for (const Entry& entry : entries) {
@@ -172,6 +178,12 @@ FieldList make_fields(const std::vector<std::string>& names, const FieldOptions&
                       fmt::format("the option {}", missing), "none");
     if (!missing.empty()) listed.shown = false;
     fields.push_back(std::move(listed));
+  }
+  std::size_t first = 0;
+  for (const GivenField& given : options.given) {
+    fields.push_back(
+        {std::make_unique<const GivenQuantity>(given, first), all || contains(names, given.name)});
+    first += given.columns.size();
   }
   // Backwards, so that sources of sources are kept as well.
   std::vector<std::string> needed;

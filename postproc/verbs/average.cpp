@@ -170,7 +170,7 @@ AverageResult average_once(const AverageCommand& options, const Ranks& ranks) {
       note_branch(frame, task.options.volumes, *task.source.notes);
       note_walls(frame, options.input, *task.source.notes);
     }
-    return task.averager->frame_sums(frame);
+    return task.averager->frame_sums(frame, options.given ? options.given(frame) : Rows());
   };
   TakeSums also;
   if (task.windows) also = [&](const FrameSums& frame) { task.windows->add(frame); };

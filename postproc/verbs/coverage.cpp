@@ -11,6 +11,7 @@
 
 #include "drawing/picture.h"
 #include "model/error.h"
+#include "verbs/listener.h"
 #include "verbs/runs_used.h"
 
 namespace mikromakro {
@@ -22,8 +23,8 @@ void for_each_frame(FrameSource source, const std::function<bool(const Frame&)>&
   source.particles_needed = column_set(ParticleColumn::type) & source.particles_needed;
   FrameStream stream(source);
   Frame frame;
-  while (stream.next(frame) && keep_going(frame)) {
-  }
+  while (stream.next(frame) && keep_going(frame))
+    if (Listener* listener = Listener::of_this_thread()) listener->pause();
 }
 
 bool is_averaged(const Particle& particle, const std::vector<int>& types) {

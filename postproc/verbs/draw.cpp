@@ -13,6 +13,7 @@
 #include "options/plausible_options.h"
 #include "options/value_checks.h"
 #include "verbs/coverage.h"
+#include "verbs/listener.h"
 #include "verbs/progress.h"
 #include "verbs/run_constants.h"
 #include "verbs/runs_used.h"
@@ -109,6 +110,7 @@ std::int64_t add_frames(const FrameSource& source, const DrawOptions& options, P
     if (source.contacts_required) note_walls(frame, options.input, *source.notes);
     types.look(frame);
     runs.add(frame.run);
+    if (Listener* listener = Listener::of_this_thread()) listener->pause();
   }
   if (frames == 0) throw source.no_frame_selected();
   note_unused_runs(source, runs);

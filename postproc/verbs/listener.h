@@ -20,6 +20,9 @@ class Listener {
   /// Called for every frame; an exception ends the verb. `part`: of the input that is read.
   virtual void progress(double part, std::int64_t frames) = 0;
 
+  /// Called between frames where there is no progress to show; an exception ends the verb.
+  virtual void pause() = 0;
+
   /// The one of this thread, or null.
   static Listener* of_this_thread();
 };

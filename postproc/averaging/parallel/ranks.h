@@ -20,6 +20,9 @@ int launched_rank();
 class Ranks {
  public:
   Ranks();
+  struct Alone {};
+  /// This process by itself, also under mpirun.
+  explicit Ranks(Alone /*only*/) {}
   ~Ranks();
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
