@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "joining/plausible_springs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mikromakro {
+namespace {
+
+using enum ContactColumn;
+using Eigen::Vector2d;
+
+double tangential_force(const Contact& contact) {
+  return contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x()));
+}
+
+double normal_force(const Contact& contact) {
+  return -contact.force.dot(contact.normal);
+}
+
+/// |f_t|/|f_n| that a tenth of the contacts reach: the friction coefficient, where discs slide.
+double large_ratio(const std::vector<Contact>& contacts) {
+  std::vector<double> ratios;
+  ratios.reserve(contacts.size());
+  for (const Contact& contact : contacts) {
+    const double normal = normal_force(contact);
+    ratios.push_back(normal == 0 ? 0 : std::abs(tangential_force(contact) / normal));
+  }
+  const auto tenth = ratios.end() - 1 - std::ssize(ratios) / 10;
+  std::nth_element(ratios.begin(), tenth, ratios.end());
+  return *tenth;
+}
+
+}  // namespace
+
+void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>& contacts, bool closely) {
+  constexpr std::size_t enough = 20;
+  constexpr ColumnSet shear = column_set(shearx, sheary);
+  const bool by_xi = (rows.given & column_set(xi)) != 0;
+  const bool given = by_xi ? closely : (rows.given & shear) == shear;
+  if (!given || contacts.size() < enough) return;
+  double along = 0, all = 0;
+  std::ptrdiff_t count_along = 0, count = 0;
+  const double limit = large_ratio(contacts);
+  for (const Contact& contact : contacts) {
+    const double tangential = tangential_force(contact);
+    const double work = tangential * contact.spring;
+    // Where discs slide, a dashpot beside the spring carries the whole limit, and the spring what is beyond.
+    constexpr double sticks = 0.9;
+    if (std::isnan(work) || std::abs(tangential) > sticks * limit * std::abs(normal_force(contact))) continue;
+    along += work;
+    all += std::abs(work);
+    count_along += work > 0 ? 1 : 0;
+    count += work != 0 ? 1 : 0;
+  }
+  // In fast motion dashpots turn f_t round in half of the contacts, and in those of the largest forces.
+  constexpr double most = 0.75;
+  if (count >= std::ssize(contacts) / 4 && count >= static_cast<std::ptrdiff_t>(enough) &&
+      along > 0.5 * all && static_cast<double>(count_along) > most * static_cast<double>(count))
+    throw bad_input(
+        rows.place(0),
+        by_xi ? "xi has the sign of the tangential forces on the whole: no springs (forces in this column, "
+                "slip of disc 2 against disc 1? or forces on disc 2?)"
+              : "shearx sheary point along the tangential forces: no springs",
+        fmt::format("springs, which pull back (f_t = -k_t {})", by_xi ? "xi" : "shear"), "another quantity");
+}
+
+void note_size_of_springs(const std::vector<Contact>& contacts, const ContactRules& rules) {
+  constexpr std::size_t enough = 20, sample = 40;
+  constexpr double most = 100, never = 300;
+  double tangential = 0, springs = 0, normal = 0, overlaps = 0;
+  std::size_t count = 0;
+  const std::size_t stride = rules.closely || contacts.empty() ? 1 : 1 + (contacts.size() - 1) / sample;
+  for (std::size_t i = 0; i < contacts.size(); i += stride) {
+    const Contact& contact = contacts[i];
+    if (!(std::abs(contact.spring) > 0)) continue;
+    ++count;
+    tangential += std::abs(tangential_force(contact));
+    springs += std::abs(contact.spring);
+    normal += std::abs(normal_force(contact));
+    overlaps += std::abs(contact.overlap);
+  }
+  if (count < enough || !(tangential > 0 && normal > 0)) return;
+  const double ratio = tangential / springs * overlaps / normal;
+  const auto beyond = [&](double bound) { return ratio > bound || ratio < 1 / bound; };
+  constexpr const char* text =
+      "f_t over the tangential springs is not within a factor of a hundred of f_n over the overlaps "
+      "(springs of another unit, or another quantity in their column?)";
+  // A metre taken for a millimetre is no matter of fast motion: one frame tells.
+  if (beyond(never))
+    rules.notes->add(text, rules.step);
+  else if (rules.closely)
+    rules.notes->judge(text, beyond(most), rules.step);
+}
+
+}  // namespace mikromakro
