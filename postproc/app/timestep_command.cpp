@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -103,8 +104,19 @@ Finding find_with_friction(const TimestepOptions& o, const physics::Impact& impa
   return find<Tangential::spring, normal>(impact, o.error);
 }
 
+/// Largest time step for the dashpots of a dense packing, with predicted velocities; infinite without.
+double stable_step(const physics::Impact& impact) {
+  const auto& law = impact.law;
+  const double m12 = impact.mass / 2;
+  const double rate =
+      std::max(physics::normal_dashpot_rate(law.normal_damping, m12),
+               law.friction > 0 ? physics::tangential_dashpot_rate(law.tangential_damping, m12) : 0);
+  return physics::stable_dashpot_step(rate, true);
+}
+
 void print(const TimestepOptions& o, const physics::Impact& impact, const Finding& found) {
   const double rule = impact.duration / physics::steps_per_contact, dt = impact.duration / found.steps;
+  const double stable = stable_step(impact);
   if (o.json) {
     Json json = Json::object();
     json["t_c"] = impact.duration;
@@ -113,11 +125,18 @@ void print(const TimestepOptions& o, const physics::Impact& impact, const Findin
     json["rule"] = rule;
     json["steps_per_contact"] = found.steps;
     json["dt"] = dt;
+    json["stable"] = std::isinf(stable) ? Json() : Json(stable);
     fmt::print("{}\n", text_of(json));
     return;
   }
   fmt::print("t_c = {:.6g} s, e_n = {:.6g}, t_c/50 = {:.6g} s\n", impact.duration, found.restitution, rule);
   if (!std::isnan(o.restitution)) fmt::print("gamma_n = {:.6g} kg/s\n", impact.law.normal_damping);
+  constexpr double near = 0.75;
+  if (near * stable < std::max(rule, std::isnan(dt) ? 0 : dt))
+    fmt::print(
+        "use dt = {:.6g} s or less: above {:.6g} s the dashpots make a dense packing unstable, which the "
+        "engine refuses\n",
+        near * stable, stable);
   if (std::isnan(o.error)) return;
   fmt::print(
       "dt = {:.6g} s = t_c/{:.1f}: velocities after {} impact are off by {:g} of the one before (rms)\n", dt,

@@ -71,7 +71,7 @@ void DiscLaw::complete_set_up(const NeighList& list) {
   set_up_complete_ = true;
   shared_.skin.check_growth_in_set_up();
   check_discs(*lmp, style(), effects().spring());
-  check_time_step(*lmp, list, style(), {effects(), materials_, settings_.impact_velocity()});
+  check_time_step(*lmp, list, style(), {effects(), materials_, settings_.impact_velocity(), predicted_});
   print_line(*lmp, effects_line(effects(), *modify, predicted_));
   warn_of_unseen_forces(*lmp);
   warn_of_disagreement(*lmp);

@@ -116,9 +116,23 @@ double duration(const physics::ContactParameters& p, const physics::Effects& eff
 
 /// Over all pairs of types that can collide [s]; infinite if nothing moves.
 struct ShortestTimes {
-  double contact = infinite;  // t_c
-  double dashpot = infinite;  // m12/gamma_n, in which the dashpot alone slows a pair down by 1/e
+  double contact = infinite;                                        // t_c
+  double slowing_down = infinite;                                   // m12/gamma_n
+  double normal_dashpot = infinite, tangential_dashpot = infinite;  // largest stable time steps
 };
+
+void take_dashpots(const physics::ContactParameters& p, const TimeScales& law, double m12,
+                   ShortestTimes& shortest) {
+  const auto stable = [&](double rate) { return physics::stable_dashpot_step(rate, law.predicted); };
+  if (law.effects.normal_dashpot && p.normal_damping > 0) {
+    shortest.slowing_down = std::min(shortest.slowing_down, m12 / p.normal_damping);
+    shortest.normal_dashpot =
+        std::min(shortest.normal_dashpot, stable(physics::normal_dashpot_rate(p.normal_damping, m12)));
+  }
+  if (physics::has_dashpot(law.effects.tangential) && p.tangential_damping > 0)
+    shortest.tangential_dashpot = std::min(
+        shortest.tangential_dashpot, stable(physics::tangential_dashpot_rate(p.tangential_damping, m12)));
+}
 
 ShortestTimes shortest_times(const TypesAtHand& at_hand, const std::vector<double>& overlaps,
                              const TimeScales& law) {
@@ -134,8 +148,7 @@ ShortestTimes shortest_times(const TypesAtHand& at_hand, const std::vector<doubl
       const auto meet = [&](double m12, double a_j) {
         const physics::Collision meeting{m12, physics::reduced_radius(a_i, a_j), velocity, overlap};
         shortest.contact = std::min(shortest.contact, duration(p, law.effects, meeting));
-        if (law.effects.normal_dashpot && p.normal_damping > 0)
-          shortest.dashpot = std::min(shortest.dashpot, m12 / p.normal_damping);
+        take_dashpots(p, law, m12, shortest);
       };
       if (std::isfinite(m_j)) meet(physics::reduced_mass(m_i, m_j), at_hand.radius[j]);
       if (at_hand.carried_radius[j] > 0) meet(m_i, at_hand.carried_radius[j]);
@@ -148,21 +161,28 @@ bool any_moves(const TypesAtHand& types) {
   return std::any_of(types.mass.begin(), types.mass.end(), [](double m) { return std::isfinite(m); });
 }
 
-/// Velocity Verlet of a pair with a dashpot is unstable above dt = 2 m12/gamma_n. As for springs, the
-/// stiffest mode of a triangular packing has three times the rate of a pair.
-void check_dashpot(LAMMPS& engine, const std::string& style, double slowing_down) {
-  constexpr double most = 2.0 / 3, accurate = 0.25;
+/// `constant`: name of the dashpot's constant in scripts; `stable`: largest stable time step.
+void check_dashpot(LAMMPS& engine, const std::string& style, const std::string& constant, double stable,
+                   double accurate) {
   const double dt = engine.update->dt;
-  const std::string what = style + ": time step " + text_of(dt) + " s is above ",
-                    of = " of the shortest time in which a dashpot acts (m12/gamma_n = " +
-                         text_of(slowing_down) + " s)",
-                    better =
-                        "'timestep " + text_of(accurate * slowing_down) + "' or less, or a smaller gamman";
-  if (dt > most * slowing_down)
-    engine.error->all(
-        FLERR,
-        (what + "two thirds" + of + ", the integration would be unstable; expected " + better).c_str());
-  if (dt > accurate * slowing_down) warn(engine, what + "a quarter" + of + "; expected " + better);
+  const std::string step = style + ": time step " + text_of(dt) + " s is above ";
+  const std::string better =
+      "; expected 'timestep " + text_of(accurate) + "' or less, or a smaller " + constant;
+  if (dt > stable)
+    engine.error->all(FLERR, (step + text_of(stable) + " s, where the dashpots of " + constant +
+                              " make a dense packing unstable" + better)
+                                 .c_str());
+  if (dt > accurate)
+    warn(engine, step + text_of(accurate) + " s, to which the dashpots of " + constant +
+                     " are accurate (unstable in a dense packing above " + text_of(stable) + " s)" + better);
+}
+
+/// The dashpot alone slows a pair down by 1/e in m12/gamma_n.
+void check_dashpots(LAMMPS& engine, const std::string& style, const ShortestTimes& times) {
+  constexpr double accurate = 0.25, near = 0.75;
+  check_dashpot(engine, style, "gamman", times.normal_dashpot,
+                std::min(accurate * times.slowing_down, near * times.normal_dashpot));
+  check_dashpot(engine, style, "gammat", times.tangential_dashpot, near * times.tangential_dashpot);
 }
 
 void check_contact(LAMMPS& engine, const std::string& style, double t_c) {
@@ -196,7 +216,7 @@ void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& s
     warn(engine, style +
                      ": nothing moves or touches yet, so that the duration of contacts is not known and "
                      "the time step not checked; expected 'impact_velocity V' with the pair style");
-  check_dashpot(engine, style, times.dashpot);
+  check_dashpots(engine, style, times);
 }
 
 }  // namespace mikromakro::styles

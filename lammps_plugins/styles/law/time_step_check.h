@@ -19,10 +19,12 @@ struct TimeScales {
   physics::Effects effects;
   const MaterialTable& materials;
   double impact_velocity;  // fastest expected impact, for Hertz's law [m/s]; 0: unknown
+  bool predicted;          // dashpots see velocities that are predicted for the time of the positions
 };
 
 /// Stops the run on all ranks, with one line, if the time step exceeds a quarter of the shortest contact
-/// duration, or two thirds of m12/gamma_n; warns above a fiftieth and a quarter of these. Linear law: t_c of
+/// duration, or the largest for which dashpots leave a dense packing stable (contact_duration.h); warns above
+/// a fiftieth and three quarters of these, and above m12/(4 gamma_n). Linear law: t_c of
 /// the lightest discs of each pair of types. Hertz: the shorter of two times: t_c at the impact velocity, or
 /// at the sum of the largest present speeds of both types if that is larger; and pi / sqrt(k/m12) with the
 /// tangent stiffness k at the largest present overlap, or k_t for a law with a spring. `style`: prefix of
