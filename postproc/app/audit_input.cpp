@@ -55,6 +55,7 @@ std::int64_t read_frames(const FrameSource& source, const AuditOptions& options,
   while (stream.next(frame)) {
     const bool covered = take(frame);
     runs.add(frame.run, !covered);
+    note_volumes(frame, options.volumes, *source.notes);
     if (options.kn_given) note_stiffness(frame, options.kn, *source.notes);
     progress.update(stream.bytes_read(), ++frames);
   }

@@ -13,13 +13,20 @@ bool RepeatedFrames::same(const Seen& one, const Seen& other) {
          !differs.any();
 }
 
-bool RepeatedFrames::same_to_all_digits(const Seen& one, const Seen& before, const Seen& other) {
-  constexpr double digits = 1e-12, clearly = 1e-4;
-  constexpr Eigen::Index fewest = 2;
-  if (before.run != one.run || before.sums.size() == 0) return false;
-  const auto changed = (one.sums - before.sums).abs() > clearly * one.sizes && one.sums != one.sums.round();
-  return changed.count() >= fewest && (one.sums.isNaN() == other.sums.isNaN()).all() &&
+Eigen::Index RepeatedFrames::changed(const Seen& one, const Seen& before) {
+  constexpr double clearly = 1e-4;
+  if (before.run != one.run || before.sums.size() == 0) return 0;
+  return ((one.sums - before.sums).abs() > clearly * one.sizes && one.sums != one.sums.round()).count();
+}
+
+bool RepeatedFrames::same_to_all_digits(const Seen& one, const Seen& other) {
+  constexpr double digits = 1e-12;
+  return (one.sums.isNaN() == other.sums.isNaN()).all() &&
          !((one.sums - other.sums).abs() > digits * one.sizes.max(other.sizes)).any();
+}
+
+double RepeatedFrames::fingerprint(const Seen& frame) {
+  return frame.sums.isNaN().select(0, frame.sums).sum();
 }
 
 bool RepeatedFrames::add(const FrameSums& frame) {
@@ -29,10 +36,16 @@ bool RepeatedFrames::add(const FrameSums& frame) {
             (frame.sums.abs().colwise() * place).colwise().sum().transpose()};
   const bool moves = last_.sums.size() == 0 || last_.run != seen.run || !same(last_, seen);
   std::vector<Seen>& at_this_step = by_step_[frame.step];
-  const bool again =
-      moves && std::any_of(at_this_step.begin(), at_this_step.end(), [&](const Seen& earlier) {
-        return earlier.run != seen.run && (same(earlier, seen) || same_to_all_digits(seen, last_, earlier));
-      });
+  constexpr Eigen::Index fewest = 2;
+  const Eigen::Index changes = changed(seen, last_);
+  bool again = moves && std::any_of(at_this_step.begin(), at_this_step.end(), [&](const Seen& earlier) {
+                 return earlier.run != seen.run &&
+                        (same(earlier, seen) || (changes >= fewest && same_to_all_digits(seen, earlier)));
+               });
+  if (changes > 0) {
+    const auto [first, is_new] = run_of_fingerprint_.try_emplace(fingerprint(seen), seen.run);
+    again = again || (!is_new && first->second != seen.run);
+  }
   last_ = seen;
   at_this_step.push_back(std::move(seen));
   return again;

@@ -50,11 +50,13 @@ class Joiner {
     if (plain_ && join_plain(rows_.rows[i], contact)) return true;
     if (!join_any(i, contact)) return false;
     deep_ += is_deep(contact) ? 1 : 0;
+    long_springs_ += has_long_spring(contact) ? 1 : 0;
     walls_ += contact.with_wall() ? 1 : 0;
     return true;
   }
 
   std::int64_t deep() const { return deep_; }
+  std::int64_t long_springs() const { return long_springs_; }
   std::int64_t walls() const { return walls_; }
 
  private:
@@ -83,6 +85,13 @@ class Joiner {
     return contact.overlap > deep_part * smaller;
   }
 
+  /// Friction limits k_t |xi| to mu f_n = mu k_n overlap: springs are about as long as the overlap.
+  bool has_long_spring(const Contact& contact) const {
+    constexpr double overlaps = 100;
+    return std::abs(contact.spring) > disc(contact.index1).radius &&
+           std::abs(contact.spring) > overlaps * contact.overlap;
+  }
+
   int find(std::int64_t id, std::size_t i) const {
     const int index = discs_.ids.find(id);
     if (index < 0)
@@ -94,7 +103,7 @@ class Joiner {
   const Particle& disc(int index) const { return discs_.particles[static_cast<std::size_t>(index)]; }
 
   /// Fast path for nearly all rows of most files: a contact of two discs with consistent normal, overlap and
-  /// force, that is not deep. False for anything else.
+  /// force, that is not deep and has no long spring. False for anything else.
   bool join_plain(const ContactRow& row, Contact& contact) const {
     contact.id1 = static_cast<std::int64_t>(row[id1]);
     contact.id2 = static_cast<std::int64_t>(row[id2]);
@@ -113,6 +122,7 @@ class Joiner {
     const double slack = tolerance_.of_geometry(smaller, reach, contact.overlap, false);
     const double allowed = tolerance_.of_place(smaller);
     return contact.overlap > 0 && contact.overlap <= deep_part * smaller &&
+           !(std::abs(contact.spring) > smaller) &&
            fits(contact, two.position - one.position, reach, slack) &&
            (!with_places_ || (is_at(row, x1, y1, one, allowed) && is_at(row, x2, y2, two, allowed))) &&
            (!with_components_ || are_components(row, contact));
@@ -242,7 +252,7 @@ class Joiner {
   BranchImages images_;
   bool plain_ = false;  ///< rows have all columns that join_plain needs, none that it ignores
   bool with_places_ = false, with_components_ = false;
-  std::int64_t deep_ = 0, walls_ = 0;
+  std::int64_t deep_ = 0, long_springs_ = 0, walls_ = 0;
 };
 
 }  // namespace
@@ -266,6 +276,7 @@ std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& 
   const auto left_out = static_cast<std::int64_t>(row_of.left_out());
   if (rules.notes == nullptr) return contacts;
   note_size_of_springs(contacts, rules);
+  note_springs_without_force(contacts, rules);
   if (joiner.walls() > 0) {
     note_wall_forces(contacts, rules);
     note_walls_twice(contacts, discs.particles, *rules.notes, rules.step);
@@ -278,6 +289,12 @@ std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& 
         "contacts overlap by more than half of the smaller radius (k_n too small for the load, or a density "
         "in kg/m^3 where rho h in kg/m^2 was meant?)",
         rules.step, joiner.deep());
+  if (joiner.long_springs() > 0)
+    rules.notes->add(
+        "tangential springs are longer than the radius of a disc and than a hundred overlaps (damaged rows, "
+        "or "
+        "another quantity in their column?)",
+        rules.step, joiner.long_springs());
   return contacts;
 }
 

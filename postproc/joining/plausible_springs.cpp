@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace mikromakro {
 namespace {
@@ -31,6 +32,26 @@ double large_ratio(const std::vector<Contact>& contacts) {
   const auto tenth = ratios.end() - 1 - std::ssize(ratios) / 10;
   std::nth_element(ratios.begin(), tenth, ratios.end());
   return *tenth;
+}
+
+/// Ranks of the numbers, from 0 on; equal ones in the order they have.
+std::vector<double> ranks_of(const std::vector<double>& numbers) {
+  std::vector<std::size_t> order(numbers.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
+  std::vector<double> ranks(numbers.size());
+  for (std::size_t k = 0; k < order.size(); ++k) ranks[order[k]] = static_cast<double>(k);
+  return ranks;
+}
+
+/// Spearman's rank correlation, of two series of the same length n: 0 +- 1/sqrt(n) by chance.
+double rank_correlation(const std::vector<double>& one, const std::vector<double>& other) {
+  const std::vector<double> a = ranks_of(one), b = ranks_of(other);
+  const auto n = static_cast<double>(a.size());
+  double squares = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) squares += (a[k] - b[k]) * (a[k] - b[k]);
+  return 1 - 6 * squares / (n * (n * n - 1));
 }
 
 }  // namespace
@@ -69,7 +90,8 @@ void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>
 
 void note_size_of_springs(const std::vector<Contact>& contacts, const ContactRules& rules) {
   constexpr std::size_t enough = 20, sample = 40;
-  constexpr double most = 100, never = 300;
+  // Springs are soft by design more often than stiff, but never so soft as those of a millimetre for a metre.
+  constexpr double stiffest = 100, softest = 1.0 / 300, never_stiffer = 300, never_softer = 1.0 / 700;
   double tangential = 0, springs = 0, normal = 0, overlaps = 0;
   std::size_t count = 0;
   const std::size_t stride = rules.closely || contacts.empty() ? 1 : 1 + (contacts.size() - 1) / sample;
@@ -84,15 +106,32 @@ void note_size_of_springs(const std::vector<Contact>& contacts, const ContactRul
   }
   if (count < enough || !(tangential > 0 && normal > 0)) return;
   const double ratio = tangential / springs * overlaps / normal;
-  const auto beyond = [&](double bound) { return ratio > bound || ratio < 1 / bound; };
   constexpr const char* text =
-      "f_t over the tangential springs is not within a factor of a hundred of f_n over the overlaps "
-      "(springs of another unit, or another quantity in their column?)";
+      "f_t over the tangential springs is more than a hundred times, or less than a 300th of, f_n over the "
+      "overlaps (springs of another unit, or another quantity in their column?)";
   // A metre taken for a millimetre is no matter of fast motion: one frame tells.
-  if (beyond(never))
+  if (ratio > never_stiffer || ratio < never_softer)
     rules.notes->add(text, rules.step);
   else if (rules.closely)
-    rules.notes->judge(text, beyond(most), rules.step);
+    rules.notes->judge(text, ratio > stiffest || ratio < softest, rules.step);
+}
+
+void note_springs_without_force(const std::vector<Contact>& contacts, const ContactRules& rules) {
+  constexpr std::size_t enough = 100;
+  if (!rules.closely) return;
+  std::vector<double> springs, forces;
+  for (const Contact& contact : contacts) {
+    const double force = tangential_force(contact);
+    if (!(std::abs(contact.spring) > 0 && std::abs(force) > 0)) continue;
+    springs.push_back(contact.spring);
+    forces.push_back(force);
+  }
+  if (springs.size() < enough) return;
+  const double by_chance = 1 / std::sqrt(static_cast<double>(springs.size()));
+  rules.notes->judge(
+      "tangential springs and tangential forces have nothing to do with each other (another quantity in the "
+      "column, or rows of another frame? or dashpots much stronger than the springs)",
+      rank_correlation(springs, forces) > -4 * by_chance, rules.step);
 }
 
 }  // namespace mikromakro

@@ -217,15 +217,22 @@ void FixAveMicromacro::look(const Frame& frame) {
   discs_ = (solid->frame_sums(frame) != 0).any();
 }
 
-/// Once for all tables.
-void FixAveMicromacro::tell() {
-  if (told_) return;
+std::vector<std::string> FixAveMicromacro::warnings() {
   if (!discs_) notes_.add("no disc lies in the volumes, or is of the types that are averaged");
-  for (std::string text : notes_.lines()) {
+  std::vector<std::string> texts = notes_.lines();
+  for (std::string& text : texts)
     if (text.starts_with("--")) text.erase(0, 2);
-    print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + text);
-    told_ = true;
+  return texts;
+}
+
+/// On the screen once, above each table.
+void FixAveMicromacro::tell(Preamble& lines) {
+  const std::vector<std::string> texts = warnings();
+  for (const std::string& text : texts) {
+    lines.emplace_back("warning", text);
+    if (!told_) print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + text);
   }
+  told_ = told_ || !texts.empty();
 }
 
 void FixAveMicromacro::run_ended() {
@@ -242,9 +249,9 @@ void FixAveMicromacro::write() {
   Preamble lines = {
       {"program", "mikromakro " MIKROMAKRO_VERSION " fix ave/micromacro"},
       {"run", std::string("group ") + group->names[igroup] + ", every " + std::to_string(nevery) + " steps"}};
+  tell(lines);
   if (needs_forces() && has_engine_walls(*modify))
     lines.emplace_back("warning", std::string("contacts with ") + engine_walls + " are not in the averages");
-  tell();
   write_averages(options_, *averager_, averaged_, lines, outputs);
   if (windows_) averaged_ = {no_sums(options_, *averager_), {}};
 }

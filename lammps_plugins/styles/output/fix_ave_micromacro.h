@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "dialect.h"
+#include "io/tables/csv_writer.h"
 #include "law/agreement.h"
 #include "law/contact_rows.h"
 #include "law/contact_schedule.h"
@@ -56,7 +57,8 @@ class FixAveMicromacro : public FixWithClock, public ContactObserver, public Fil
   void write();
   bool needs_forces() const;
   void look(const Frame& frame);
-  void tell();
+  std::vector<std::string> warnings();
+  void tell(Preamble& lines);
   void warn_of_change();
   void warn_of_constants() const;
   void warn_of(const std::string& name, const std::string& keyword, double given) const;
