@@ -82,7 +82,7 @@ void check_columns(const ColumnMap& map, const ColumnNames& names, const Place& 
   for (const Group& group : groups)
     if ((map.given & group.any) != 0) require_columns(map, group.all, names, place);
   if (contains(map.given, column_set(xi, shearx)))
-    throw bad_input(place, "the spring is there twice", "xi, or shearx and sheary", "both");
+    throw bad_input(place, "the spring is given twice", "xi, or shearx and sheary", "both");
 }
 
 void check_across(double across, double x, double y, std::string_view name, const Place& place) {
