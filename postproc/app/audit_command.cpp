@@ -32,7 +32,7 @@ void check_in_one_list(const AuditOptions& options) {
 void check_wheel_is_no_bulk(const AuditOptions& options) {
   if (!options.wheel_types.empty() && options.volumes.bulk_types.empty())
     throw bad_input({"--wheel-types"}, "the discs of the wheel would be averaged, too",
-                    "--bulk-types beside it, without those of the wheel", "none");
+                    "--bulk-types as well, without those of the wheel", "none");
 }
 
 // Completes the options from the files, and checks that what they refer to exists.

@@ -51,10 +51,10 @@ void check_json(const AverageOptions& options) {
   const bool table_on_stdout =
       options.out.empty() || std::find(options.out.begin(), options.out.end(), "-") != options.out.end();
   if (table_on_stdout)
-    throw bad_input({"--json"}, "the table would stand on standard output too", "--out FILE",
+    throw bad_input({"--json"}, "the table would go to standard output as well", "--out FILE",
                     options.out.empty() ? "no --out" : "--out -");
   if (options.error_blocks == 0)
-    throw bad_input({"--json"}, "there are no errors to tell of", "--error-blocks above 0", "0");
+    throw bad_input({"--json"}, "no standard errors are computed", "--error-blocks above 0", "0");
 }
 
 // Created at once, like the outputs of the table.
@@ -113,9 +113,8 @@ void note_crowded(const Task& task, const Averaged& averaged) {
   constexpr double overlaps = 0.05;
   if (2 * (table.rows.col(nu - table.columns.begin()) > 1 + overlaps).count() > table.rows.rows())
     tell(
-        "nu is above 1 in most volumes: discs are larger than the volume that they are in (radii of another "
-        "unit, or "
-        "diameters?)");
+        "nu is above 1 in most volumes: discs are larger than the volume that they are in (radii in another "
+        "unit, or diameters?)");
 }
 
 void write(const CommandOptions& options, const Task& task, const Averaged& averaged) {

@@ -68,8 +68,8 @@ class FirstFrame {
 };
 
 constexpr const char* goes_on =
-    "a run goes on where another ended; as runs they count as independent (pieces of one run? all files "
-    "behind one --particles)";
+    "a run continues where another ended; as separate runs they count as independent (pieces of one run? "
+    "give all files to one --particles)";
 
 // Detects pieces of one run that were given as several runs, in any order.
 class Continuations {

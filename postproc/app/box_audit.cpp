@@ -20,7 +20,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 constexpr const char* not_whole =
-    "not judged: the box ends between discs or beside the walls (without --box it ends at the walls)";
+    "not judged: the box leaves out discs or does not end at the walls (without --box it ends at the walls)";
 
 // Relative friction below which the walls count as frictionless.
 constexpr double smooth = 1e-12;
@@ -29,7 +29,7 @@ VolumeOptions checked(const AuditOptions& options) {
   if (!options.wheel_types.empty())
     throw bad_input({"--wheel-types"}, "a box has no wheel", "--rings or --edges", "neither");
   if (options.margin > 0)
-    throw bad_input({"--margin"}, "a box has no edge that is not judged", "--rings or --edges", "neither");
+    throw bad_input({"--margin"}, "a box is judged up to its edges", "--rings or --edges", "neither");
   VolumeOptions volumes = options.volumes;
   if (volumes.weight.empty()) volumes.weight = "centre";
   if (volumes.sectors > 0 || (!volumes.grid.empty() && !volumes.box.empty()))
@@ -146,7 +146,7 @@ class BoxAuditor {
       return {"stress", box_.stress_deviation(),
               "largest difference of a component, volume and boundary, over the pressure"};
     return {"stress", box_.stress_deviation(),
-            fmt::format("the same of the components of {} only: periodic along {}, without walls there",
+            fmt::format("the same for the components {} only: periodic along {}, without walls there",
                         x ? "xy, yy" : "xx, yx", x ? 'x' : 'y')};
   }
 
@@ -168,7 +168,7 @@ class BoxAuditor {
     audit.balances.push_back(
         {"walls", box_.wall_deviation(),
          is_smooth ? "largest difference of normal stresses, walls and volume, over the pressure"
-                   : "the same of the walls' normal stresses; not judged, since walls have friction",
+                   : "the same for the walls' normal stresses; not judged, since walls have friction",
          is_smooth});
     audit.balances.push_back(
         {"forces", box_.wall_residual(), "sum of the forces of the walls over the mean of one"});

@@ -42,7 +42,8 @@ void add_options(CLI::App& app, CompareOptions& options) {
          "N1,N2,...: numbers of rings, or of columns of the grid (its rows in proportion); default that of "
          "--rings or --grid")
       ->delimiter(',');
-  app.add_option("--out", options.out, "FILE.csv: all averages, with weight and resolution in front");
+  app.add_option("--out", options.out,
+                 "FILE.csv: all averages, with weight and resolution as the first columns");
   add_run_options(app, options.run);
 }
 

@@ -57,12 +57,12 @@ DumpSummary summarise_dump(const std::string& file, const std::vector<std::strin
     const auto rows = dump.take_rows(header);
     if (!rows) break;
     if (summary.frames > 0 && header.step <= summary.last_step)
-      notes.add(file + ": steps come again", header.step);
+      notes.add(file + ": steps occur again", header.step);
     add_frame(*rows, summary);
     if (has_discs(header, particle_columns, file))
       add_particles(read_particles(*rows, particle_columns, 0), summary);
   }
-  if (dump.cut()) notes.add(file + ": the compressed file is cut: only its complete frames count");
+  if (dump.cut()) notes.add(file + ": the compressed file is truncated: only its complete frames are used");
   if (summary.last.units.empty()) return summary;
   const Units units = units_of(summary.last.units, {file});
   convert(units, summary.last.box);

@@ -48,7 +48,7 @@ void check_rings(const CsvTable& table) {
     const double overlap = outer[i - 1] - inner[i];
     constexpr double rounding = 1e-9;  // for edges written with fewer digits
     if (overlap > rounding * outer[i])
-      throw bad_input(table.row_place(i), "rings overlap or are there twice",
+      throw bad_input(table.row_place(i), "rings overlap or occur twice",
                       fmt::format("r_inner of at least {}", outer[i - 1]), fmt::format("{}", inner[i]));
   }
   Notes notes;
@@ -63,20 +63,19 @@ void check_radii_differ(const CsvTable& table) {
   std::set<double> radii;
   for (Eigen::Index i = 0; i < r.size(); ++i)
     if (!radii.insert(r[i]).second)
-      throw bad_input(table.row_place(i), "a radius is there twice", "each ring once",
-                      fmt::format("{}", r[i]));
+      throw bad_input(table.row_place(i), "a radius occurs twice", "each ring once", fmt::format("{}", r[i]));
 }
 
 CsvTable ring_table(const std::string& file) {
   CsvTable table(file);
   if (table.has("block") && table.has("frames"))
-    throw bad_input({file}, "the table is one of blocks", "it as --blocks, beside the table of all frames",
+    throw bad_input({file}, "the table contains blocks", "it as --blocks, along with the table of all frames",
                     "it as a table");
   if (!table.has("r"))
-    throw bad_input({file}, "the table is not one of rings", "a column r, as of average --rings", "none");
+    throw bad_input({file}, "the table has no rings", "a column r, as from average --rings", "none");
   if (table.has("phi_begin"))
-    throw bad_input({file}, "the table is one of sectors, whose profiles may differ",
-                    "rings, as of average --rings without --sectors", "phi_begin");
+    throw bad_input({file}, "the table contains sectors, whose profiles may differ",
+                    "rings, as from average --rings without --sectors", "phi_begin");
   if (table.rows() == 0) throw bad_input({file}, "the table is empty", "rows of numbers", "none");
   check_rings(table);
   check_radii_differ(table);
@@ -103,13 +102,13 @@ void check_comparable(const CsvTable& table, const CsvTable& first, const std::s
   for (const std::string& name : {std::string("r"), column}) {
     const std::string unit = table.unit(name), right = first.unit(name);
     if (!unit.empty() && !right.empty() && unit != right)
-      throw bad_input({table.file()}, fmt::format("{} has another unit than in {}", name, first.file()),
-                      right, unit);
+      throw bad_input({table.file()},
+                      fmt::format("the unit of {} differs from that in {}", name, first.file()), right, unit);
   }
   const Eigen::ArrayXd r = table.column("r"), there = first.column("r");
   if (r.minCoeff() > there.maxCoeff() || r.maxCoeff() < there.minCoeff())
     throw bad_input({table.file()},
-                    fmt::format("the rings are elsewhere than those of {} (m or mm?)", first.file()),
+                    fmt::format("the rings do not overlap those of {} (m or mm?)", first.file()),
                     fmt::format("some of r = {:.6g} to {:.6g} m", there.minCoeff(), there.maxCoeff()),
                     fmt::format("{:.6g} to {:.6g}", r.minCoeff(), r.maxCoeff()));
 }
@@ -130,10 +129,10 @@ void note_other_input(const CsvTable& table, const CsvTable& first) {
   if (here.empty() || there.empty()) return;
   for (const std::string& line : here)
     if (there.count(line) == 0)
-      return tell(fmt::format(
-          "{} is not of the same discs and frames as {} ({}): the spread over choices would be that of "
-          "profiles that differ",
-          table.file(), first.file(), line));
+      return tell(
+          fmt::format("{} is not from the same discs and frames as {} ({}): the spread over choices would be "
+                      "that of different profiles",
+                      table.file(), first.file(), line));
 }
 
 FitWay way_of(const FitOptions& options) {
@@ -153,7 +152,7 @@ double edge_of_wheel(const CsvTable& table, const std::string& column) {
   const Eigen::ArrayXd values = table.column(column), inner = table.column("r_inner");
   if (std::isfinite(values[0])) return inner[0];
   throw bad_input(table.row_place(0),
-                  fmt::format("R_i is not known, since {} is nan in the first ring", column),
+                  fmt::format("R_i is unknown, since {} is nan in the first ring", column),
                   "--ri R_I (m), the radius of the wheel, or rings that begin there",
                   fmt::format("r_inner = {} m", inner[0]));
 }
@@ -166,16 +165,16 @@ void take_wheel(const FitOptions& options, const CsvTable& table, FitReport& rep
   report.scale = report.omega * report.r_i;
   const double last = table.column("r").maxCoeff();
   if (report.r_i > last)
-    throw bad_input({"--ri"}, "R_i lies behind all rings", fmt::format("less than {} m", last),
+    throw bad_input({"--ri"}, "R_i lies beyond all rings", fmt::format("less than {} m", last),
                     fmt::format("{}", report.r_i));
   if (std::isnan(options.omega)) return;
   if (!report.unit.empty() && report.unit != unit_of_velocity)
-    throw bad_input({"--omega"}, fmt::format("{} is no velocity", options.column),
+    throw bad_input({"--omega"}, fmt::format("{} is not a velocity", options.column),
                     fmt::format("a column in {}", unit_of_velocity), report.unit);
   if (options.omega == 0)
-    throw bad_input({"--omega"}, "the wheel does not turn", "a rate that is not 0", "0");
+    throw bad_input({"--omega"}, "the wheel does not rotate", "a rate other than 0", "0");
   if (report.r_i == 0)
-    throw bad_input({"--omega"}, "a wheel of no radius has no velocity",
+    throw bad_input({"--omega"}, "a wheel of zero radius has no velocity",
                     "--ri above 0, or rings that begin there", "0");
 }
 
@@ -227,7 +226,7 @@ FitReport fit_files(const FitOptions& options) {
   take_wheel(options, table, report);
   report.fitted = fit_exponential(profile, report.r_i, report.way);
   if (report.fitted.v0 * report.scale < 0)
-    tell(fmt::format("--omega {}: the wheel turns against the profile, v0 = {} m/s (clockwise is negative)",
+    tell(fmt::format("--omega {}: the wheel rotates against the profile, v0 = {} m/s (clockwise is negative)",
                      options.omega, report.fitted.v0));
   const Eigen::ArrayXd r = profile.r(report.fitted.used);
   report.first_r = r.minCoeff();
@@ -247,14 +246,14 @@ FitReport fit_files(const FitOptions& options) {
 void add_fit_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("fit", "exponential velocity profile v0 exp(-(r - R_i)/s)");
   auto options = std::make_shared<FitOptions>();
-  app->add_option("file", options->files,
-                  "table of `mikromakro average`; further ones, of other rings say, are choices beside it")
+  app->add_option(
+         "file", options->files,
+         "table of `mikromakro average`; further ones, with other rings for example, are alternative choices")
       ->required();
   app->add_option("--column", options->column, "column to fit, default v_phi");
-  app->add_option(
-      "--blocks", options->blocks,
-      "file of `average --blocks` beside the table: the profile without each block of frames, for "
-      "intervals that count how rings fluctuate together");
+  app->add_option("--blocks", options->blocks,
+                  "file written by `average --blocks` with the table: the profile without each block of "
+                  "frames, for intervals that account for the correlation of rings");
   CLI::Option* weights =
       app->add_option("--weights", options->weights,
                       "none (default): each ring counts the same; errors: by its standard error COLUMN_err")

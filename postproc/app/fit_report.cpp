@@ -93,7 +93,7 @@ void print_choices(const FitReport& report, const std::vector<Estimate>& all) {
   for (const FitChoice& choice : report.choices)
     if (!choice.missing.empty()) ++missing[choice.missing];
   for (const auto& [why, count] : missing)
-    fmt::print("; {} of {} not there: {}", count, report.choices.size(), why);
+    fmt::print("; {} of {} failed: {}", count, report.choices.size(), why);
   fmt::print("\n");
 }
 
@@ -163,10 +163,10 @@ void print_text(const FitReport& report) {
   print_errors(report.errors);
   if (chosen) print_choices(report, all);
   fmt::print("rms of the residuals = {:.6g} {}", report.fitted.residual_rms,
-             report.unit.empty() ? "(the table does not tell the unit)" : report.unit);
+             report.unit.empty() ? "(the table does not give the unit)" : report.unit);
   if (!std::isnan(report.residuals_over_errors))
     fmt::print(", {:.2g} of the rings' errors", report.residuals_over_errors);
-  fmt::print(" (it describes the fit, and is no error of v0 or s)");
+  fmt::print(" (it describes the fit, and is not an error of v0 or s)");
   fmt::print("\n");
 }
 

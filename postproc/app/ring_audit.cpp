@@ -94,7 +94,7 @@ RingAudit audit(const AuditOptions& options) {
   result.balances = {
       {"torque", torque_deviation(result.rings, result.wheel_torque),
        std::isnan(result.wheel_torque)
-           ? "no contacts with a wheel: its discs are --wheel-types, or wall 0"
+           ? "no contacts with a wheel (discs of --wheel-types, or wall 0)"
            : "largest deviation of 2 pi r^2 h sigma_phir from the wheel's torque"},
       {"radial", radial_deviation(result.rings),
        "largest |d(r sigma_rr)/dr - sigma_phiphi| over the pressure"},

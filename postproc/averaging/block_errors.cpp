@@ -264,7 +264,7 @@ void append_errors(const BlockErrors& errors, const std::vector<Column>& columns
     table.columns.push_back(
         {column.name + "_err", column.unit, "jackknife", "standard error of " + column.name});
   table.columns.push_back({"effective_samples", "1", "-",
-                           "independent frames, of the quantity of this row that changes slowest"});
+                           "independent frames, of the quantity of this row that changes most slowly"});
   for (const FieldErrors& made : errors.fields)
     table.columns.push_back({made.field.name + "_two_tau", "frames", "-",
                              "correlation time 2 tau, of the slowest column of " + made.field.name});

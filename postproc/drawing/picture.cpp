@@ -46,7 +46,7 @@ class Painter {
     origin_ = {corner_.x() - scale_ * window.low.x(), opposite_.y() + scale_ * window.low.y()};
     const double height = opposite_.y() + 3 * letter_;
     if (!(height < largest_height))
-      throw bad_input({"--box"}, "the picture is too high", "at most 30000 pixels",
+      throw bad_input({"--box"}, "the picture is too tall", "at most 30000 pixels",
                       fmt::format("{:.0f}", height));
     canvas_ = std::make_unique<Canvas>(kind, style.width, static_cast<int>(std::lround(height)));
   }

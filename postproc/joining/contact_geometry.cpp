@@ -208,7 +208,8 @@ class Joiner {
     const double distance = branch.norm();
     if (!row.has(normal_columns)) {
       if (distance == 0)
-        throw bad_input(rows_.place(row.index), "contact of coinciding centres", "a distance > 0", "0");
+        throw bad_input(rows_.place(row.index), "contact of discs whose centres coincide", "a distance > 0",
+                        "0");
       contact.normal = branch / distance;
     } else if (const Vector2d apart = branch - distance * contact.normal;
                !(std::abs(apart.x()) <= slack && std::abs(apart.y()) <= slack)) {
@@ -237,8 +238,8 @@ class Joiner {
     if (!forces_known) return false;
     if (rules_.distant) return true;
     throw bad_input(rows_.place(row.index),
-                    fmt::format("a force between {} that do not touch (where such forces are meant, cohesion "
-                                "say, give --distant-contacts)",
+                    fmt::format("a force between {} that do not touch (if such forces are intended, as with "
+                                "cohesion, give --distant-contacts)",
                                 pair_name(contact)),
                     fmt::format("an overlap > {:.2g} m or no force", -slack),
                     fmt::format("{:.9g}", contact.overlap));
@@ -282,8 +283,8 @@ std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& 
     note_walls_twice(contacts, discs.particles, *rules.notes, rules.step);
   }
   if (left_out > 0)
-    rules.notes->add("near pairs without force that do not touch are no contacts, left out", rules.step,
-                     left_out);
+    rules.notes->add("near pairs that neither touch nor exert forces are not contacts and are left out",
+                     rules.step, left_out);
   if (joiner.deep() > 0)
     rules.notes->add(
         "contacts overlap by more than half of the smaller radius (k_n too small for the load, or a density "

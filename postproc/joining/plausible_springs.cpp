@@ -80,12 +80,12 @@ void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>
   constexpr double most = 0.75;
   if (count >= std::ssize(contacts) / 4 && count >= static_cast<std::ptrdiff_t>(enough) &&
       along > 0.5 * all && static_cast<double>(count_along) > most * static_cast<double>(count))
-    throw bad_input(
-        rows.place(0),
-        by_xi ? "xi has the sign of the tangential forces on the whole: no springs (forces in this column, "
-                "slip of disc 2 against disc 1? or forces on disc 2?)"
-              : "shearx sheary point along the tangential forces: no springs",
-        fmt::format("springs, which pull back (f_t = -k_t {})", by_xi ? "xi" : "shear"), "another quantity");
+    throw bad_input(rows.place(0),
+                    by_xi ? "xi mostly has the sign of the tangential forces: no springs (forces in this "
+                            "column, slip of disc 2 against disc 1? or forces on disc 2?)"
+                          : "shearx sheary point along the tangential forces: no springs",
+                    fmt::format("springs, which pull back (f_t = -k_t {})", by_xi ? "xi" : "shear"),
+                    "another quantity");
 }
 
 void note_size_of_springs(const std::vector<Contact>& contacts, const ContactRules& rules) {
@@ -108,7 +108,7 @@ void note_size_of_springs(const std::vector<Contact>& contacts, const ContactRul
   const double ratio = tangential / springs * overlaps / normal;
   constexpr const char* text =
       "f_t over the tangential springs is more than a hundred times, or less than a 300th of, f_n over the "
-      "overlaps (springs of another unit, or another quantity in their column?)";
+      "overlaps (springs in another unit, or another quantity in their column?)";
   // A metre taken for a millimetre is no matter of fast motion: one frame tells.
   if (ratio > never_stiffer || ratio < never_softer)
     rules.notes->add(text, rules.step);
@@ -129,7 +129,7 @@ void note_springs_without_force(const std::vector<Contact>& contacts, const Cont
   if (springs.size() < enough) return;
   const double by_chance = 1 / std::sqrt(static_cast<double>(springs.size()));
   rules.notes->judge(
-      "tangential springs and tangential forces have nothing to do with each other (another quantity in the "
+      "tangential springs and tangential forces are uncorrelated (another quantity in the "
       "column, or rows of another frame? or dashpots much stronger than the springs)",
       rank_correlation(springs, forces) > -4 * by_chance, rules.step);
 }

@@ -45,7 +45,7 @@ void check_spring(const RowView& row, const Contact& contact, const ContactRows&
   if (!(std::abs(shear.dot(contact.normal)) > turned * shear.norm())) return;
   throw bad_input(
       rows.place(row.index),
-      fmt::format("shearx sheary is no spring of {} (columns of another quantity?)", pair_name(contact)),
+      fmt::format("shearx sheary is not a spring of {} (columns of another quantity?)", pair_name(contact)),
       fmt::format("a vector along the tangent {}", text_of(tangent_of(contact))), text_of(shear));
 }
 

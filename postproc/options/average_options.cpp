@@ -43,12 +43,12 @@ std::unique_ptr<const Averager> make_averager(const AverageOptions& options) {
 void check_use(const VolumeOptions& given, const Averager& averager) {
   if (!given.branch.empty() && !averager.uses_branches())
     throw bad_input(
-        {"--branch"}, "none of the fields takes it",
-        "stress, elastic_strain, couple_stress, curvature or what follows from them among --fields",
+        {"--branch"}, "none of the fields uses it",
+        "stress, elastic_strain, couple_stress, curvature or a field derived from them in --fields",
         in_quotes(given.branch));
   if (given.height > 0 && !averager.uses_height())
-    throw bad_input({"--height"}, "none of the fields takes it",
-                    "stresses or what follows from them among --fields", fmt::format("{}", given.height));
+    throw bad_input({"--height"}, "none of the fields uses it",
+                    "stresses or a field derived from them in --fields", fmt::format("{}", given.height));
 }
 
 std::size_t error_blocks(const AverageOptions& options, const Averager& averager) {

@@ -62,7 +62,7 @@ void check_choice(const VolumeOptions& options) {
   if (!options.grid.empty()) given.emplace_back("--grid");
   if (!options.box.empty()) given.emplace_back("--box");
   if (given.size() != 1)
-    throw bad_input({"--rings"}, "the volumes are not clear", "one of --rings, --edges, --grid, --box",
+    throw bad_input({"--rings"}, "the volumes are ambiguous", "one of --rings, --edges, --grid, --box",
                     given.empty() ? "none" : fmt::format("{}", fmt::join(given, " ")));
   const bool rectangles = !options.grid.empty() || !options.box.empty();
   if (options.sectors > 0 && rectangles)
@@ -116,7 +116,8 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
   app.add_option("--center", options.center, "X Y: centre of the rings (m), default 0 0")
       ->expected(2)
       ->allow_extra_args(false);
-  app.add_option("--edges", options.edges, "R0,R1,...: own radii of the rings (m)")->delimiter(',');
+  app.add_option("--edges", options.edges, "R0,R1,...: edges of the rings (m), instead of equal rings")
+      ->delimiter(',');
   app.add_option("--sectors", options.sectors, "M: each ring is divided into M equal sectors")
       ->transform(whole_number(1, static_cast<std::int64_t>(most_volumes)));
   app.add_option("--grid", options.grid, "XMIN XMAX NX YMIN YMAX NY: NX by NY equal rectangles (m)")
@@ -126,14 +127,13 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
       ->expected(4)
       ->allow_extra_args(false);
   app.add_option("--height", options.height,
-                 "thickness of the discs (m); default that of the snapshots, or none: stresses are forces "
-                 "per length then")
+                 "thickness of the discs (m); default that of the snapshots, or none: stresses are then "
+                 "forces per length")
       ->check(positive());
-  app.add_option("--bulk-types", options.bulk_types, "types that are averaged, default all")->delimiter(',');
-  app.add_option(
-      "--branch", options.branch,
-      "branch vector: radius (a_p n; default but for kernels) or contact (to the contact point; default "
-      "for kernels)");
+  app.add_option("--bulk-types", options.bulk_types, "types to average, default all")->delimiter(',');
+  app.add_option("--branch", options.branch,
+                 "branch vector: radius (a_p n; default except for kernels) or contact (to the contact "
+                 "point; default for kernels)");
   app.option_defaults()->group("Options");
 }
 
@@ -190,7 +190,7 @@ bool are_rings(const VolumeOptions& options) {
 
 std::vector<double> ring_edges(const VolumeOptions& options) {
   if (options.rings.empty() == options.edges.empty()) {
-    throw bad_input({"--rings"}, "the volumes are not clear", "either --rings or --edges",
+    throw bad_input({"--rings"}, "the volumes are ambiguous", "either --rings or --edges",
                     options.rings.empty() ? "none" : "both");
   }
   if (!options.edges.empty()) return options.edges;

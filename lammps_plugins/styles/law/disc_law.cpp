@@ -35,7 +35,8 @@ void DiscLaw::fail(const std::string& what) const {
 }
 
 void DiscLaw::require_two_dimensions() const {
-  if (domain->dimension != 2) fail("discs live in two dimensions; put 'dimension 2' before the box");
+  if (domain->dimension != 2)
+    fail("discs require a two-dimensional simulation; put 'dimension 2' before the box");
   if (force->newton_pair) fail("needs 'newton off' before the box is created");
 }
 
@@ -181,9 +182,10 @@ void DiscLaw::abort_at_coincident_centres(const DiscPair& pair) const {
     const physics::DiscRow& row = shared_.packed.discs[i];
     if (!std::isfinite(row.x() + row.y()))
       abort_run(*lmp, style(),
-                "disc " + std::to_string(atom->tag[i]) + " is at no number (nan or inf) in step " +
-                    std::to_string(rows_step_) +
-                    ": a fix gave it a force or velocity that is none, a direction of length 0 for example");
+                "disc " + std::to_string(atom->tag[i]) +
+                    " has a position that is not finite (nan or inf) in step " + std::to_string(rows_step_) +
+                    ": a fix gave it a force or velocity that is not finite, from a direction of length 0 "
+                    "for example");
   }
   abort_run(*lmp, style(),
             "discs " + std::to_string(atom->tag[pair.i]) + " and " + std::to_string(atom->tag[pair.j]) +

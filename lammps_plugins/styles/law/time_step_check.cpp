@@ -214,8 +214,8 @@ void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& s
     check_contact(engine, style, times.contact);
   else if (by_velocity && any_moves(at_hand))
     warn(engine, style +
-                     ": nothing moves or touches yet, so that the duration of contacts is not known and "
-                     "the time step not checked; expected 'impact_velocity V' with the pair style");
+                     ": nothing moves or touches yet, so the contact duration is unknown and the time step "
+                     "is not checked; expected 'impact_velocity V' with the pair style");
   check_dashpots(engine, style, times);
 }
 

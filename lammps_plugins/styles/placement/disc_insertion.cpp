@@ -74,7 +74,8 @@ void check_ready_for_discs(LAMMPS_NS::LAMMPS& engine, const std::string& style) 
          "expected an atom style with radius and density, such as " + std::string(disc_atom_style));
   if (!atom.tag_enable) stop(engine, style, "expected atoms with ids");
   if (engine.modify->nfix_restart_peratom)
-    stop(engine, style, "expected no data of fixes waiting from a restart file; start a run before it");
+    stop(engine, style,
+         "expected no fix data still pending from a restart file; start a run before this command");
 }
 
 void check_inside_box(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std::string& what,

@@ -99,7 +99,7 @@ Hdf5Shape Hdf5Dataset::shape() const {
 
 void Hdf5Dataset::grow(const Hdf5Shape& shape) {
   if (H5Dset_extent(id_.get(), sizes(shape).data()) < 0)
-    throw run_failed(fmt::format("{}: cannot take more", place_),
+    throw run_failed(fmt::format("{}: cannot be extended", place_),
                      "space on the disk, and a dataset that may grow (written by mikromakro)", last_reason());
 }
 

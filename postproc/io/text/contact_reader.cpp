@@ -82,7 +82,7 @@ void check_columns(const ColumnMap& map, const ColumnNames& names, const Place& 
   for (const Group& group : groups)
     if ((map.given & group.any) != 0) require_columns(map, group.all, names, place);
   if (contains(map.given, column_set(xi, shearx)))
-    throw bad_input(place, "the spring is there twice", "xi, or shearx and sheary", "both");
+    throw bad_input(place, "the spring is given twice", "xi, or shearx and sheary", "both");
 }
 
 void check_across(double across, double x, double y, std::string_view name, const Place& place) {
@@ -108,7 +108,8 @@ void check_tangential(Slots& row, const Place& place) {
                tangential = std::hypot(at(row, ftx), at(row, fty));
   const double along = at(row, fx) * at(row, ftx) + at(row, fy) * at(row, fty);
   if (tangential <= rounding * normal || !(std::abs(along) > turned * normal * tangential)) return;
-  throw bad_input(place, "ftx fty does not lie across the normal force fx fy (columns of other quantities?)",
+  throw bad_input(place,
+                  "ftx fty is not perpendicular to the normal force fx fy (columns of other quantities?)",
                   fmt::format("a multiple of {:.6g} {:.6g}", -at(row, fy) / normal, at(row, fx) / normal),
                   fmt::format("{:.6g} {:.6g}", at(row, ftx), at(row, fty)));
 }

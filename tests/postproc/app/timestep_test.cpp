@@ -70,15 +70,14 @@ void expect_complaint(const std::string& arguments, const std::string& what) {
 }
 
 TEST(Timestep, SaysWhatMakesNoSense) {
-  expect_complaint("--density 6.36 --kn 0",
-                   "--kn: the value makes no sense; expected a stiffness above 0, got 0");
+  expect_complaint("--density 6.36 --kn 0", "--kn: invalid value; expected a stiffness above 0, got 0");
   expect_complaint("--density 6.36 --kn 352.1 --restitution 1.2",
-                   "--restitution: the value makes no sense; expected a number above 0, at most 1, got 1.2");
+                   "--restitution: invalid value; expected a number above 0, at most 1, got 1.2");
   expect_complaint("--density 6.36 --kn 352.1 --gamman 2",
-                   "--gamman: the discs do not part; expected a weaker dashpot, got 2");
+                   "--gamman: the discs do not separate; expected a weaker dashpot, got 2");
   expect_complaint(
       "--density 6.36 --kn 352.1 --gamman 0.19 --error 1e-9",
-      "--error: no time step of t_c/4000 or more is so accurate; expected a larger error, got 1e-09");
+      "--error: no time step of t_c/4000 or more is that accurate; expected a larger error, got 1e-09");
 }
 
 }  // namespace

@@ -147,8 +147,8 @@ void FixBiaxial2d::restart(char* buf) {
     box_[side] = state.box[side];
     if (wanted == box_[side].control) continue;
     print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + biaxial_sides[side] +
-                         ": not the control of the restart file: it begins anew where the wall stands (after "
-                         "fix_modify, give the fix the last controls)");
+                         ": not the control in the restart file: the new control starts at the present "
+                         "position of the wall (after fix_modify, give the fix the latest controls)");
     begin(side, wanted);
   }
 }
