@@ -109,9 +109,11 @@ Finding find_with_friction(const TimestepOptions& o, const physics::Impact& impa
 double stable_step(const physics::Impact& impact) {
   const auto& law = impact.law;
   const double m12 = impact.mass / 2;
-  const double rate =
-      std::max(physics::normal_dashpot_rate(law.normal_damping, m12),
-               law.friction > 0 ? physics::tangential_dashpot_rate(law.tangential_damping, m12) : 0);
+  const double approach =
+      physics::normal_rate_of_lattice * physics::normal_dashpot_rate(law.normal_damping, m12);
+  const double slip =
+      physics::tangential_rate_of_lattice * physics::tangential_dashpot_rate(law.tangential_damping, m12);
+  const double rate = std::max(approach, law.friction > 0 ? slip : 0);
   return physics::stable_dashpot_step(rate, true);
 }
 
@@ -135,8 +137,8 @@ void print(const TimestepOptions& o, const physics::Impact& impact, const Findin
   constexpr double near = 0.75;
   if (near * stable < std::max(rule, std::isnan(dt) ? 0 : dt))
     fmt::print(
-        "use dt = {:.6g} s or less: above {:.6g} s the dashpots make a dense packing unstable, which the "
-        "engine refuses\n",
+        "use dt = {:.6g} s or less: above {:.6g} s the dashpots of a dense packing of such discs are "
+        "unstable\n",
         near * stable, stable);
   if (std::isnan(o.error)) return;
   fmt::print(

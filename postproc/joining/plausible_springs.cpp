@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Core>
 #include <numeric>
 
 namespace mikromakro {
@@ -12,6 +13,9 @@ namespace {
 
 using enum ContactColumn;
 using Eigen::Vector2d;
+
+/// Tangential forces below this part of the normal ones are rounding.
+constexpr double rounding = 1e-6;
 
 double tangential_force(const Contact& contact) {
   return contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x()));
@@ -34,24 +38,35 @@ double large_ratio(const std::vector<Contact>& contacts) {
   return *tenth;
 }
 
-/// Ranks of the numbers, from 0 on; equal ones in the order they have.
-std::vector<double> ranks_of(const std::vector<double>& numbers) {
-  std::vector<std::size_t> order(numbers.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
-  std::vector<double> ranks(numbers.size());
-  for (std::size_t k = 0; k < order.size(); ++k) ranks[order[k]] = static_cast<double>(k);
+/// Ranks of the numbers, from 0 on; those that are equal to a 1e-5 of the largest have their mean rank.
+Eigen::ArrayXd ranks_of(const std::vector<double>& numbers) {
+  constexpr double alike = 1e-5;
+  double largest = 0;
+  for (const double one : numbers) largest = std::max(largest, std::abs(one));
+  std::vector<Eigen::Index> order(numbers.size());
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  const auto number = [&](Eigen::Index k) { return numbers[static_cast<std::size_t>(k)]; };
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return number(a) < number(b); });
+  Eigen::ArrayXd ranks(std::ssize(numbers));
+  for (auto first = order.begin(); first != order.end();) {
+    const auto next = std::find_if(first, order.end(),
+                                   [&](auto k) { return number(k) > number(*first) + alike * largest; });
+    const auto rank = static_cast<double>((first - order.begin()) + (next - order.begin()) - 1) / 2;
+    for (; first != next; ++first) ranks[*first] = rank;
+  }
   return ranks;
 }
 
-/// Spearman's rank correlation, of two series of the same length n: 0 +- 1/sqrt(n) by chance.
+/// Spearman's rank correlation, of two series of the same length n: 0 +- 1/sqrt(n) by chance; nan if one of
+/// them is the same number in most places.
 double rank_correlation(const std::vector<double>& one, const std::vector<double>& other) {
-  const std::vector<double> a = ranks_of(one), b = ranks_of(other);
+  Eigen::ArrayXd a = ranks_of(one), b = ranks_of(other);
+  a -= a.mean();
+  b -= b.mean();
   const auto n = static_cast<double>(a.size());
-  double squares = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) squares += (a[k] - b[k]) * (a[k] - b[k]);
-  return 1 - 6 * squares / (n * (n * n - 1));
+  const double varied = n * n / 24;  // half of the variance of ranks that all differ
+  const double of_a = a.square().mean(), of_b = b.square().mean();
+  return of_a < varied || of_b < varied ? not_given : (a * b).mean() / std::sqrt(of_a * of_b);
 }
 
 }  // namespace
@@ -70,7 +85,10 @@ void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>
     const double work = tangential * contact.spring;
     // Where discs slide, a dashpot beside the spring carries the whole limit, and the spring what is beyond.
     constexpr double sticks = 0.9;
-    if (std::isnan(work) || std::abs(tangential) > sticks * limit * std::abs(normal_force(contact))) continue;
+    const double normal = std::abs(normal_force(contact));
+    if (std::isnan(work) || std::abs(tangential) > sticks * limit * normal ||
+        std::abs(tangential) < rounding * normal)
+      continue;
     along += work;
     all += std::abs(work);
     count_along += work > 0 ? 1 : 0;
@@ -104,7 +122,7 @@ void note_size_of_springs(const std::vector<Contact>& contacts, const ContactRul
     normal += std::abs(normal_force(contact));
     overlaps += std::abs(contact.overlap);
   }
-  if (count < enough || !(tangential > 0 && normal > 0)) return;
+  if (count < enough || !(tangential > rounding * normal && normal > 0)) return;
   const double ratio = tangential / springs * overlaps / normal;
   constexpr const char* text =
       "f_t over the tangential springs is more than a hundred times, or less than a 300th of, f_n over the "
@@ -122,7 +140,8 @@ void note_springs_without_force(const std::vector<Contact>& contacts, const Cont
   std::vector<double> springs, forces;
   for (const Contact& contact : contacts) {
     const double force = tangential_force(contact);
-    if (!(std::abs(contact.spring) > 0 && std::abs(force) > 0)) continue;
+    if (!(std::abs(contact.spring) > 0 && std::abs(force) > rounding * std::abs(normal_force(contact))))
+      continue;
     springs.push_back(contact.spring);
     forces.push_back(force);
   }

@@ -151,11 +151,11 @@ void note_friction(const Frame& frame, double mu, Notes& notes) {
                 2 * number_above((1 + rounding) * mu) > at_limit, frame.step);
   // Contacts that slide all have the same ratio.
   const double largest = *std::max_element(ratios.begin(), ratios.end());
-  if (largest > 0 && number_above((1 - rounding) * largest) >= several)
-    notes.judge(
-        fmt::format("--mu {}: contacts slide at another ratio of the forces, below mu (from another run?)",
-                    mu),
-        largest < (1 - 100 * rounding) * mu, frame.step);
+  if (largest > rounding * mu && number_above((1 - rounding) * largest) >= several)
+    notes.judge(fmt::format("--mu {}: the largest ratios of tangential and normal forces are alike and below "
+                            "mu, as if contacts slid there (from another run?)",
+                            mu),
+                largest < (1 - 100 * rounding) * mu, frame.step);
 }
 
 void note_stiffness(const Frame& frame, double normal_stiffness, Notes& notes) {

@@ -13,6 +13,7 @@
 
 #include "physics/contact/contact_duration.h"
 #include "physics/contact/contact_law.h"
+#include "physics/contact/dashpot_rate.h"
 #include "physics/math/plane_vector.h"
 
 namespace mikromakro::physics {
@@ -120,7 +121,7 @@ class DashpotLimit : public testing::TestWithParam<bool> {
 // One per cent beside the limit, z^2000 is far from 1 above it. Below it, what remains is the energy of the
 // common motion, a sixteenth on average.
 TEST_P(DashpotLimit, OfNormalDashpotsIsAThirdOfThatOfAPair) {
-  const double gamma_n = limit(normal_dashpot_rate(1, m12));
+  const double gamma_n = limit(normal_rate_of_lattice * normal_dashpot_rate(1, m12));
   const double below = growth(0.99 * gamma_n, 0, predicted()), above = growth(1.01 * gamma_n, 0, predicted());
   std::printf("energy after 1000 steps: times %.1e below the limit, %.1e above\n", below, above);
   EXPECT_LT(below, 1);
@@ -129,11 +130,45 @@ TEST_P(DashpotLimit, OfNormalDashpotsIsAThirdOfThatOfAPair) {
 
 // All discs spin alike: no springs take part.
 TEST_P(DashpotLimit, OfTangentialDashpotsIsAQuarterOfThatOfAPair) {
-  const double gamma_t = limit(tangential_dashpot_rate(1, m12)) / arm_squared;
+  const double gamma_t = limit(tangential_rate_of_lattice * tangential_dashpot_rate(1, m12)) / arm_squared;
   const double below = growth(0, 0.99 * gamma_t, predicted()), above = growth(0, 1.01 * gamma_t, predicted());
   std::printf("energy after 1000 steps: times %.1e below the limit, %.1e above\n", below, above);
   EXPECT_LT(below, 1);
   EXPECT_GT(above, 1e3);
+}
+
+// The lattice of the same side, by the power method: both modes, and both together in a lattice with both
+// dashpots, which is no more than their sum.
+TEST(DashpotRate, OfALatticeIsThreeAndTwelveTimesThatOfAPair) {
+  const auto rate = [](double gamma_n, double gamma_t) {
+    std::vector<DashpotContact> contacts;
+    for (int k = 0; k < side * side; ++k)
+      for (const auto& [a, b] : {std::array{1, 0}, std::array{0, 1}, std::array{-1, 1}}) {
+        const int j = (k % side + a + side) % side + side * ((k / side + b) % side);
+        const double x = a + 0.5 * b, y = std::sqrt(0.75) * b;
+        contacts.push_back({k, j, true, x, y, radius, radius, gamma_n, gamma_t});
+      }
+    const DampedDisc disc{1 / mass, 2 / (mass * radius * radius)};
+    return largest_dashpot_rate(contacts, std::vector<DampedDisc>(side * side, disc));
+  };
+  // The power method has 40 steps.
+  EXPECT_NEAR(rate(1, 0), 3 / m12, 1e-5);
+  EXPECT_NEAR(rate(0, 1), 12 / m12, 1e-5);
+  EXPECT_LE(rate(1, 1), 15 / m12 + 1e-5);
+  EXPECT_GE(rate(1, 1), 12 / m12 - 1e-5);
+}
+
+// A pair, and a disc on something at rest.
+TEST(DashpotRate, OfAPairIsThatOfItsReducedMass) {
+  const DampedDisc disc{1 / mass, 2 / (mass * radius * radius)};
+  const auto rate = [&](int j, double gamma_n, double gamma_t) {
+    return largest_dashpot_rate({{0, j, true, 0.6, 0.8, radius, radius, gamma_n, gamma_t}}, {disc, disc});
+  };
+  EXPECT_NEAR(rate(1, 2, 0), normal_dashpot_rate(2, m12), 1e-12);
+  EXPECT_NEAR(rate(1, 0, 2), tangential_dashpot_rate(2, m12), 1e-12);
+  EXPECT_NEAR(rate(-1, 2, 0), normal_dashpot_rate(2, mass), 1e-12);
+  EXPECT_NEAR(rate(-1, 0, 2), tangential_dashpot_rate(2, mass), 1e-12);
+  EXPECT_EQ(rate(1, 0, 0), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Velocities, DashpotLimit, testing::Values(false, true),

@@ -17,7 +17,6 @@
 #include "law/disc_check.h"
 #include "law/effects_line.h"
 #include "law/fix_on_rows.h"
-#include "law/time_step_check.h"
 #include "law/unseen_forces.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -57,6 +56,7 @@ void DiscLaw::begin_run(MaterialTable materials) {
   materials_ = std::move(materials);
   one_material_ = materials_.is_uniform();
   set_up_complete_ = false;
+  list_of_run_ = nullptr;
   find_integrators();
   shared_.skin.begin_run(style());
   record_.begin_run();
@@ -72,10 +72,20 @@ void DiscLaw::complete_set_up(const NeighList& list) {
   set_up_complete_ = true;
   shared_.skin.check_growth_in_set_up();
   check_discs(*lmp, style(), effects().spring());
-  check_time_step(*lmp, list, style(), {effects(), materials_, settings_.impact_velocity(), predicted_});
+  check_time_step(*lmp, list, style(), time_scales());
+  list_of_run_ = &list;
   print_line(*lmp, effects_line(effects(), *modify, predicted_));
   warn_of_unseen_forces(*lmp);
   warn_of_disagreement(*lmp);
+}
+
+void DiscLaw::run_ended() {
+  if (list_of_run_) check_time_step_of_run(*lmp, *list_of_run_, style(), time_scales());
+  list_of_run_ = nullptr;
+}
+
+TimeScales DiscLaw::time_scales() const {
+  return {effects(), materials_, settings_.impact_velocity(), predicted_};
 }
 
 const DiscRow* DiscLaw::evaluated_row(int i) const {

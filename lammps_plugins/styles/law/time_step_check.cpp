@@ -14,6 +14,7 @@
 #include "error.h"
 #include "fix.h"
 #include "law/contact_rows.h"
+#include "law/damped_contacts.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "physics/contact/contact_duration.h"
@@ -26,20 +27,13 @@ using namespace LAMMPS_NS;
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+/// Of time steps that messages recommend with four digits.
+constexpr double rounded = 1e-3;
 
 std::string text_of(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
-}
-
-/// Group bits of the fixes that integrate the equations of motion; all other atoms, such as wall discs, have
-/// prescribed motion and count as infinitely heavy in a contact.
-int integrated_groups(const Modify& modify) {
-  int bits = 0;
-  for (const Fix* fix : fixes(modify))
-    if (std::strncmp(fix->style, "nve", 3) == 0) bits |= fix->groupbit;
-  return bits;
 }
 
 /// Per type, over all ranks: mass of the lightest freely moving disc, radius of the largest other disc (0 if
@@ -116,22 +110,19 @@ double duration(const physics::ContactParameters& p, const physics::Effects& eff
 
 /// Over all pairs of types that can collide [s]; infinite if nothing moves.
 struct ShortestTimes {
-  double contact = infinite;                                        // t_c
-  double slowing_down = infinite;                                   // m12/gamma_n
-  double normal_dashpot = infinite, tangential_dashpot = infinite;  // largest stable time steps
+  double contact = infinite;  // t_c
+  // Those in which a dashpot slows a pair down by 1/e.
+  double normal_dashpot = infinite, tangential_dashpot = infinite;
 };
 
-void take_dashpots(const physics::ContactParameters& p, const TimeScales& law, double m12,
+void take_dashpots(const physics::ContactParameters& p, const physics::Effects& effects, double m12,
                    ShortestTimes& shortest) {
-  const auto stable = [&](double rate) { return physics::stable_dashpot_step(rate, law.predicted); };
-  if (law.effects.normal_dashpot && p.normal_damping > 0) {
-    shortest.slowing_down = std::min(shortest.slowing_down, m12 / p.normal_damping);
+  if (effects.normal_dashpot && p.normal_damping > 0)
     shortest.normal_dashpot =
-        std::min(shortest.normal_dashpot, stable(physics::normal_dashpot_rate(p.normal_damping, m12)));
-  }
-  if (physics::has_dashpot(law.effects.tangential) && p.tangential_damping > 0)
-    shortest.tangential_dashpot = std::min(
-        shortest.tangential_dashpot, stable(physics::tangential_dashpot_rate(p.tangential_damping, m12)));
+        std::min(shortest.normal_dashpot, 1 / physics::normal_dashpot_rate(p.normal_damping, m12));
+  if (physics::has_dashpot(effects.tangential) && p.tangential_damping > 0)
+    shortest.tangential_dashpot = std::min(shortest.tangential_dashpot,
+                                           1 / physics::tangential_dashpot_rate(p.tangential_damping, m12));
 }
 
 ShortestTimes shortest_times(const TypesAtHand& at_hand, const std::vector<double>& overlaps,
@@ -148,7 +139,7 @@ ShortestTimes shortest_times(const TypesAtHand& at_hand, const std::vector<doubl
       const auto meet = [&](double m12, double a_j) {
         const physics::Collision meeting{m12, physics::reduced_radius(a_i, a_j), velocity, overlap};
         shortest.contact = std::min(shortest.contact, duration(p, law.effects, meeting));
-        take_dashpots(p, law, m12, shortest);
+        take_dashpots(p, law.effects, m12, shortest);
       };
       if (std::isfinite(m_j)) meet(physics::reduced_mass(m_i, m_j), at_hand.radius[j]);
       if (at_hand.carried_radius[j] > 0) meet(m_i, at_hand.carried_radius[j]);
@@ -161,28 +152,62 @@ bool any_moves(const TypesAtHand& types) {
   return std::any_of(types.mass.begin(), types.mass.end(), [](double m) { return std::isfinite(m); });
 }
 
-/// `constant`: name of the dashpot's constant in scripts; `stable`: largest stable time step.
-void check_dashpot(LAMMPS& engine, const std::string& style, const std::string& constant, double stable,
-                   double accurate) {
-  const double dt = engine.update->dt;
-  const std::string step = style + ": time step " + text_of(dt) + " s is above ";
-  const std::string better =
-      "; expected 'timestep " + text_of(accurate) + "' or less, or a smaller " + constant;
-  if (dt > stable)
-    engine.error->all(FLERR, (step + text_of(stable) + " s, where the dashpots of " + constant +
-                              " make a dense packing unstable" + better)
-                                 .c_str());
-  if (dt > accurate)
-    warn(engine, step + text_of(accurate) + " s, to which the dashpots of " + constant +
-                     " are accurate (unstable in a dense packing above " + text_of(stable) + " s)" + better);
+/// The words for a time step that is above another one.
+std::string above(const LAMMPS& engine, const std::string& style, double bound) {
+  return style + ": time step " + text_of(engine.update->dt) + " s is above " + text_of(bound) + " s, ";
 }
 
-/// The dashpot alone slows a pair down by 1/e in m12/gamma_n.
-void check_dashpots(LAMMPS& engine, const std::string& style, const ShortestTimes& times) {
-  constexpr double accurate = 0.25, near = 0.75;
-  check_dashpot(engine, style, "gamman", times.normal_dashpot,
-                std::min(accurate * times.slowing_down, near * times.normal_dashpot));
-  check_dashpot(engine, style, "gammat", times.tangential_dashpot, near * times.tangential_dashpot);
+/// A pair whose dashpot slows it down in `time` is unstable by itself.
+void check_pair(LAMMPS& engine, const std::string& style, const std::string& constant, double time,
+                bool predicted) {
+  constexpr double accurate = 0.25;
+  const double stable = physics::stable_dashpot_step(1 / time, predicted);
+  if (engine.update->dt > stable)
+    engine.error->all(FLERR, (above(engine, style, stable) + "where the dashpot of " + constant +
+                              " is unstable; expected 'timestep " + text_of(accurate * time) +
+                              "' or less, or a smaller " + constant)
+                                 .c_str());
+}
+
+/// e_n of a pair, in m12/gamma_n. That of gammat matters only where discs do not slide.
+void check_accuracy(LAMMPS& engine, const std::string& style, double time) {
+  constexpr double accurate = 0.25;
+  if (engine.update->dt > accurate * time * (1 + rounded))
+    warn(engine, above(engine, style, accurate * time) +
+                     "a quarter of the shortest time in which a dashpot of gamman acts; expected 'timestep " +
+                     text_of(accurate * time) + "' or less, or a smaller gamman");
+}
+
+/// Largest stable time step of the dashpots of all present contacts [s]; infinite where no packing of the
+/// discs at hand could have one that matters: a light disc among small ones has up to a few times the rate of
+/// a lattice. Collective.
+double stable_step_of_contacts(LAMMPS& engine, const NeighList& list, const TimeScales& law,
+                               const ShortestTimes& times) {
+  constexpr double safe = 0.25;
+  const double of_lattice = physics::normal_rate_of_lattice / times.normal_dashpot +
+                            physics::tangential_rate_of_lattice / times.tangential_dashpot;
+  if (engine.update->dt < safe * physics::stable_dashpot_step(of_lattice, law.predicted)) return infinite;
+  double rate = largest_dashpot_rate(engine, list, law.effects, law.materials);
+  MPI_Allreduce(MPI_IN_PLACE, &rate, 1, MPI_DOUBLE, MPI_MAX, engine.world);
+  return physics::stable_dashpot_step(rate, law.predicted);
+}
+
+std::string smaller_step(double time_step) {
+  return "; expected 'timestep " + text_of(time_step) + "' or less, or a smaller gamman or gammat";
+}
+
+/// The present contacts together.
+void check_packing(LAMMPS& engine, const std::string& style, double stable) {
+  constexpr double near = 0.75;
+  const double dt = engine.update->dt;
+  if (dt > stable)
+    engine.error->all(FLERR, (above(engine, style, stable) +
+                              "where the dashpots of the present contacts make the integration unstable" +
+                              smaller_step(near * stable))
+                                 .c_str());
+  if (dt > near * stable * (1 + rounded))
+    warn(engine, above(engine, style, near * stable) + "near that of " + text_of(stable) +
+                     " s at which dashpots make the integration unstable" + smaller_step(near * stable));
 }
 
 void check_contact(LAMMPS& engine, const std::string& style, double t_c) {
@@ -194,7 +219,7 @@ void check_contact(LAMMPS& engine, const std::string& style, double t_c) {
     engine.error->all(FLERR, (step + "above a quarter" + contact +
                               ", the integration would be unstable; expected " + better + " (t_c/50) or less")
                                  .c_str());
-  if (dt > t_c / physics::steps_per_contact * (1 + 1e-9))
+  if (dt > t_c / physics::steps_per_contact * (1 + rounded))
     warn(engine, step + "above t_c/50" + contact + "; " + better + " would do");
   constexpr double many_steps = 5000;
   if (dt < t_c / many_steps)
@@ -203,20 +228,44 @@ void check_contact(LAMMPS& engine, const std::string& style, double t_c) {
 
 }  // namespace
 
-void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& style, const TimeScales& law) {
-  const Atom& atom = *engine.atom;
-  const auto at_hand = types_at_hand(atom, *engine.modify, engine.world);
-  const bool by_velocity = physics::depends_on_velocity(law.effects.normal);
+namespace {
+
+ShortestTimes times_of(LAMMPS& engine, const NeighList& list, const TimeScales& law,
+                       const TypesAtHand& at_hand) {
   const std::vector<double> untouched(law.materials.values().size(), 0.0);
-  const ShortestTimes times =
-      shortest_times(at_hand, by_velocity ? largest_overlaps(atom, list, engine.world) : untouched, law);
+  const bool by_velocity = physics::depends_on_velocity(law.effects.normal);
+  return shortest_times(at_hand, by_velocity ? largest_overlaps(*engine.atom, list, engine.world) : untouched,
+                        law);
+}
+
+}  // namespace
+
+void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& style, const TimeScales& law) {
+  const auto at_hand = types_at_hand(*engine.atom, *engine.modify, engine.world);
+  const ShortestTimes times = times_of(engine, list, law, at_hand);
   if (std::isfinite(times.contact))
     check_contact(engine, style, times.contact);
-  else if (by_velocity && any_moves(at_hand))
+  else if (physics::depends_on_velocity(law.effects.normal) && any_moves(at_hand))
     warn(engine, style +
                      ": nothing moves or touches yet, so the contact duration is unknown and the time step "
                      "is not checked; expected 'impact_velocity V' with the pair style");
-  check_dashpots(engine, style, times);
+  check_pair(engine, style, "gamman", times.normal_dashpot, law.predicted);
+  check_pair(engine, style, "gammat", times.tangential_dashpot, law.predicted);
+  check_accuracy(engine, style, times.normal_dashpot);
+  check_packing(engine, style, stable_step_of_contacts(engine, list, law, times));
+}
+
+void check_time_step_of_run(LAMMPS& engine, const NeighList& list, const std::string& style,
+                            const TimeScales& law) {
+  const auto at_hand = types_at_hand(*engine.atom, *engine.modify, engine.world);
+  const ShortestTimes times = times_of(engine, list, law, at_hand);
+  const double stable = stable_step_of_contacts(engine, list, law, times);
+  if (engine.update->dt > stable)
+    warn(engine,
+         above(engine, style, stable) +
+             "where the dashpots of the contacts at the end of the run make the integration unstable: "
+             "its results are wrong" +
+             smaller_step(stable / 2));
 }
 
 }  // namespace mikromakro::styles

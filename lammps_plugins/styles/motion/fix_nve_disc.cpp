@@ -182,6 +182,7 @@ void FixNveDisc::post_run() {
     law_->copy_histories_to_atoms();
     end_step();
   }
+  if (law_) law_->run_ended();
   keep_last_forces();
 }
 

@@ -210,18 +210,18 @@ bool FixAveMicromacro::needs_forces() const {
 void FixAveMicromacro::look(const Frame& frame) {
   VolumeOptions volumes = options_.volumes;
   volumes.height = 0;
-  note_volumes(frame, volumes, notes_);
-  note_friction(frame, options_.fields.numbers.friction_coefficient, notes_);
-  note_stiffness(frame, options_.fields.numbers.normal_stiffness, notes_);
-  if (needs_forces()) note_branch(frame, options_.volumes, notes_);
+  note_volumes(frame, volumes, *notes_);
+  note_friction(frame, options_.fields.numbers.friction_coefficient, *notes_);
+  note_stiffness(frame, options_.fields.numbers.normal_stiffness, *notes_);
+  if (needs_forces()) note_branch(frame, options_.volumes, *notes_);
   if (discs_) return;
   const auto solid = make_averager(options_.volumes, make_fields({"solid_fraction"}));
   discs_ = (solid->frame_sums(frame) != 0).any();
 }
 
 std::vector<std::string> FixAveMicromacro::warnings() {
-  if (!discs_) notes_.add("no disc lies in the volumes, or none is of an averaged type");
-  std::vector<std::string> texts = notes_.lines();
+  if (!discs_) notes_->add("no disc lies in the volumes, or none is of an averaged type");
+  std::vector<std::string> texts = notes_->lines();
   for (std::string& text : texts)
     if (text.starts_with("--")) text.erase(0, 2);
   return texts;
@@ -229,12 +229,12 @@ std::vector<std::string> FixAveMicromacro::warnings() {
 
 /// On the screen once, above each table.
 void FixAveMicromacro::tell(Preamble& lines) {
-  const std::vector<std::string> texts = warnings();
-  for (const std::string& text : texts) {
+  for (const std::string& text : warnings()) {
     lines.emplace_back("warning", text);
-    if (!told_) print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + text);
+    // Without the number of times, which differs between windows.
+    if (told_.insert(text.substr(0, text.rfind(" ("))).second)
+      print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + text);
   }
-  told_ = told_ || !texts.empty();
 }
 
 void FixAveMicromacro::run_ended() {
@@ -255,7 +255,10 @@ void FixAveMicromacro::write() {
   if (needs_forces() && has_engine_walls(*modify))
     lines.emplace_back("warning", std::string("contacts with ") + engine_walls + " are not in the averages");
   write_averages(options_, *averager_, averaged_, lines, outputs);
-  if (windows_) averaged_ = {no_sums(options_, *averager_), {}};
+  if (!windows_) return;
+  averaged_ = {no_sums(options_, *averager_), {}};
+  notes_.emplace();
+  discs_ = false;
 }
 
 }  // namespace mikromakro::styles
