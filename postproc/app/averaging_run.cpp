@@ -124,7 +124,8 @@ void add_run_options(CLI::App& app, RunOptions& options) {
 }
 
 Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes, const SumFrame& sum,
-                        TimeAverage sums, const RunOptions& options, const Ranks& ranks) {
+                        TimeAverage sums, const RunOptions& options, const Ranks& ranks,
+                        const TakeSums& also) {
   std::int64_t all_bytes = 0;
   ranks.agree([&] { all_bytes = total_size(source.files()); });
   Progress progress(all_bytes, options.quiet || !ranks.first());
@@ -162,6 +163,7 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
     last_step = frame.step;
     runs.add(frame.run, (frame.sums == 0).all());
     averaged.add(frame.step, frame.sums, frame.run);
+    if (also) also(frame);
     progress.update(bytes, averaged.sums.frames());
   });
   if (continuations.ends()) source.notes->add(goes_on, last_step);

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Averages as functions of time, by the program.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <vector>
+
+#include "run_program.h"
+
+namespace mikromakro {
+namespace {
+
+// 23 frames, every 10 steps, of three discs that move and press differently in each.
+class Dumps {
+ public:
+  explicit Dumps(bool with_times = false) {
+    std::string particles, contacts;
+    for (int i = 0; i < 23; ++i) {
+      std::string head = fmt::format("ITEM: TIMESTEP\n{}\n", 10 * i);
+      if (with_times) head = fmt::format("ITEM: TIME\n{}\n", 0.02 * i) + head;
+      const std::string box = "ITEM: BOX BOUNDS ff ff pp\n-5 5\n-5 5\n-1 1\n";
+      const double x = 1 + 0.0137 * i;
+      particles += head + "ITEM: NUMBER OF ATOMS\n3\n" + box +
+                   "ITEM: ATOMS id type x y radius vx vy omegaz\n" +
+                   fmt::format("1 1 {} 0.1 0.5 0.{} 1 2\n2 1 {} 0.1 0.5 1 0.7 3\n3 1 0 {} 0.4 1 1 1\n", x, i,
+                               x + 0.95, 2 + 0.01 * i);
+      contacts += head + "ITEM: NUMBER OF ENTRIES\n1\n" + box +
+                  "ITEM: ENTRIES id1 id2 nx ny overlap fx fy\n" +
+                  fmt::format("1 2 1 0 0.05 {} {}\n", -3 - 0.1 * i, 0.3 * i);
+    }
+    folder_.write("particles.dump", particles);
+    folder_.write("contacts.dump", contacts);
+  }
+
+  std::string files() const {
+    return "--particles '" + folder_.path("particles.dump") + "' --contacts '" +
+           folder_.path("contacts.dump") + "' ";
+  }
+  std::string arguments() const { return "average " + files() + "--rings 0 4 5 "; }
+  const Folder& folder() const { return folder_; }
+
+ private:
+  Folder folder_;
+};
+
+// The rows of a table below its names, from column `first` on.
+std::vector<std::string> rows_of(const std::string& text, int first = 0) {
+  std::istringstream lines(text);
+  std::vector<std::string> rows;
+  bool named = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('#')) continue;
+    std::size_t at = 0;
+    for (int i = 0; i < first; ++i) at = line.find(',', at) + 1;
+    if (named) rows.push_back(line.substr(at));
+    named = true;
+  }
+  return rows;
+}
+
+// Each window is the average of its frames alone, to the last bit and with its errors.
+TEST(AverageOverWindows, AreTheAveragesOfTheirFrames) {
+  const Dumps dumps;
+  for (const auto& [option, frames, step] :
+       {std::tuple("--every 10", 10, 10), std::tuple("--per-frame", 1, 1),
+        std::tuple("--moving 11", 11, 1)}) {
+    const Ran ran = run_program(dumps.arguments() + option);
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const std::vector<std::string> rows = rows_of(ran.out, 4), with_steps = rows_of(ran.out);
+    const int windows = (23 - frames) / step + 1;
+    ASSERT_EQ(rows.size(), 5U * static_cast<std::size_t>(windows)) << option;
+    for (int window = 0; window < windows; window += 3) {
+      const int first = window * step, last = first + frames - 1;
+      const Ran alone = run_program(dumps.arguments() + fmt::format("--frames {}:{}", first, last));
+      const std::vector<std::string> right = rows_of(alone.out);
+      for (std::size_t i = 0; i < right.size(); ++i) {
+        const std::size_t row = 5 * static_cast<std::size_t>(window) + i;
+        EXPECT_EQ(rows[row], right[i]) << option << " " << window;
+        EXPECT_TRUE(with_steps[row].starts_with(
+            fmt::format("{},nan,{},{},", 5 * (first + last), 10 * first, 10 * last)))
+            << with_steps[row];
+      }
+    }
+  }
+}
+
+TEST(AverageOverWindows, SaysWhatIsLeftOut) {
+  const Dumps dumps;
+  const Ran ran = run_program(dumps.arguments() + "--every 10");
+  const std::string line =
+      "warning: frames at the end of run 1 that do not fill a window of 10 are left out: 3, steps 200 to "
+      "220\n";
+  EXPECT_EQ(ran.err, "mikromakro: " + line);
+  EXPECT_NE(ran.out.find("# " + line.substr(0, line.size() - 1)), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("# windows: 2 of 10 frames\n"), std::string::npos);
+  EXPECT_EQ(run_program(dumps.arguments() + "--moving 10").err, "");
+}
+
+TEST(AverageOverWindows, GiveTheSameBytesOnAllThreadsAndRanks) {
+  const Dumps dumps(true);
+  for (const std::string option : {"--every 4 ", "--moving 4 "}) {
+    const Ran one = run_program(dumps.arguments() + option + "--threads 1");
+    ASSERT_EQ(one.code, 0) << one.err;
+    EXPECT_EQ(run_program(dumps.arguments() + option + "--threads 3").out, one.out);
+    for (const int ranks : {2, 3})
+      EXPECT_EQ(run_on_ranks(ranks, dumps.arguments() + option).out, one.out) << ranks;
+  }
+}
+
+TEST(AverageOverWindows, HaveTheTimesOfTheFilesOrOfTheTimeStep) {
+  const Dumps without, with(true);
+  // Steps 0, 10, 20 and 30.
+  const auto first_row = [](const Dumps& dumps, const std::string& options) {
+    const Ran ran = run_program(dumps.arguments() + "--every 4 " + options);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return rows_of(ran.out).at(0);
+  };
+  EXPECT_TRUE(first_row(without, "").starts_with("15,nan,0,30,"));
+  EXPECT_TRUE(first_row(without, "--timestep 0.002").starts_with("15,0.029999999999999999,0,30,"));
+  EXPECT_TRUE(first_row(with, "").starts_with("15,0.029999999999999999,0,30,"));
+  EXPECT_TRUE(first_row(with, "--timestep 0.002").starts_with("15,0.029999999999999999,0,30,"));
+  const Ran other = run_program(with.arguments() + "--every 4 --timestep 0.003");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find("--timestep: the file has times of its own, which are others"), std::string::npos)
+      << other.err;
+}
+
+TEST(AverageOverWindows, OfSeveralRunsNameTheRun) {
+  const Dumps one, two;
+  const Ran ran = run_program("average --rings 0 4 1 --every 20 --fields solid_fraction --error-blocks 0 " +
+                              one.files() + two.files());
+  ASSERT_EQ(ran.code, 2) << ran.out;  // a copy of a run is none
+  std::string shorter = read_text(two.folder().path("particles.dump"));
+  const Ran other = run_program(
+      "average --rings 0 4 1 --every 20 --fields velocity --error-blocks 0 " + one.files() + "--particles '" +
+      two.folder().write("p2.dump", shorter.substr(0, shorter.rfind("ITEM: TIMESTEP"))) + "' --contacts '" +
+      two.folder().path("contacts.dump") + "'");
+  ASSERT_EQ(other.code, 0) << other.err;
+  const std::vector<std::string> rows = rows_of(other.out);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_TRUE(rows[0].starts_with("95,nan,0,190,1,")) << rows[0];
+  EXPECT_TRUE(rows[1].starts_with("95,nan,0,190,2,")) << rows[1];
+}
+
+TEST(AverageOverWindows, AreRefusedWithOneLine) {
+  const Dumps dumps;
+  const auto refused = [&](const std::string& options) {
+    const Ran ran = run_program(dumps.arguments() + options);
+    EXPECT_EQ(ran.code, 2) << options;
+    EXPECT_EQ(ran.out, "") << options;
+    return ran.err;
+  };
+  EXPECT_EQ(
+      refused("--every 24"),
+      "mikromakro: --every: no run fills a window; expected at most 23, the selected frames of a run, got "
+      "24\n");
+  EXPECT_EQ(refused("--moving 24"),
+            "mikromakro: --moving: no run fills a window; expected at most 23, the selected frames of a run, "
+            "got 24\n");
+  EXPECT_EQ(refused("--every 3 --per-frame"),
+            "mikromakro: --per-frame: windows are of one kind; expected one of --every, --per-frame and "
+            "--moving, got 2 of them\n");
+  EXPECT_EQ(
+      refused("--timestep 0.1"),
+      "mikromakro: --timestep: no column takes it; expected --every, --per-frame or --moving beside it, "
+      "got none\n");
+  EXPECT_EQ(refused("--every 3 --blocks b.csv"),
+            "mikromakro: --blocks: tells of the errors of one table; expected no windows beside it, got "
+            "--every\n");
+  EXPECT_NE(refused("--every 0").find("--every: "), std::string::npos);
+}
+
+// Nothing is left behind by a run that ends early.
+TEST(AverageOverWindows, LeaveNoPartOfAFile) {
+  const Dumps dumps;
+  const Folder out;
+  const Ran ran = run_program(dumps.arguments() + "--every 24 --out '" + out.path("a.csv") + "' --out '" +
+                              out.path("a.h5") + "' --out '" + out.path("a.vtkhdf") + "'");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_TRUE(out.empty());
+}
+
+}  // namespace
+}  // namespace mikromakro
