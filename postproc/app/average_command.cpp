@@ -9,6 +9,7 @@
 #include "app/input_options.h"
 #include "app/memory_need.h"
 #include "app/run_constants.h"
+#include "app/steady_part.h"
 #include "app/warnings.h"
 #include "app/window_averages.h"
 #include "averaging/block_table.h"
@@ -26,6 +27,7 @@ struct CommandOptions {
   AverageOptions average;
   RunOptions run;
   WindowOptions windows;
+  std::string steady;  // column that must not drift
   std::string blocks;  // output file for the table with each block of frames left out
   bool json = false;
 };
@@ -34,6 +36,8 @@ void add_options(CLI::App& app, CommandOptions& options) {
   add_input_options(app, options.input);
   add_average_options(app, options.average);
   add_window_options(app, options.windows);
+  app.add_option("--steady", options.steady,
+                 "COLUMN: averages only from the frame on from which this column does not drift any more");
   add_run_options(app, options.run);
   app.add_option("--blocks", options.blocks,
                  "FILE.csv: the table without each block of frames, for `fit TABLE.csv --blocks FILE.csv`");
@@ -46,6 +50,7 @@ struct Task {
   AverageOptions options;  // completed with the constants from the files
   std::unique_ptr<const Averager> averager;
   FrameSource source;
+  std::string steady;                       // why it begins where it does, if it was cut
   std::unique_ptr<TableOutputs> outputs;    // on rank 0, as are those below
   std::unique_ptr<WindowAverages> windows;  // in place of it, if requested
   std::unique_ptr<OutputFile> blocks;       // if requested
@@ -155,6 +160,7 @@ void note_crowded(const Task& task, const Averaged& averaged) {
 void write(const CommandOptions& options, const Task& task, const Averaged& averaged) {
   Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " average"}};
   describe_input(options.input, task.source, averaged.runs.size(), lines);
+  if (!task.steady.empty()) lines.emplace_back("steady", task.steady);
   if (task.windows) {
     task.windows->write(averaged, std::move(lines));
     return note_crowded(task, averaged);
@@ -175,6 +181,8 @@ void average(const CommandOptions& options, const Ranks& ranks) {
       task.windows =
           std::make_unique<WindowAverages>(task.options, options.windows, *task.averager, task.source);
   });
+  if (!options.steady.empty())
+    task.steady = cut_to_steady_part(options.steady, *task.averager, options.run, ranks, task.source);
   const double stiffness = options.average.fields.numbers.normal_stiffness;  // as given
   const bool with_forces = needs_forces(*task.averager);
   const SumFrame sum = [&](const Frame& frame) {

@@ -181,6 +181,11 @@ void Ranks::agree(const std::function<void()>& action) const {
   }
 }
 
+std::int64_t Ranks::of_first(std::int64_t number) const {
+  if (size_ > 1) MPI_Bcast(&number, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+  return number;
+}
+
 FrameSelection Ranks::own_part(FrameSelection selection) const {
   // A stride beyond all frames selects at most one frame, which is left to rank 0.
   constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() / 4;

@@ -58,7 +58,7 @@ TEST(SeriesOfWindows, IsOneLongTableAsText) {
             "# column nu [1] (Latzel2001 Eq. 3) solid fraction\n"
             "# column v_phi [m/s] (-) velocity\n"
             "step,time,r,nu,v_phi\n"
-            "0,0,0.5,0,-0\n0,0,1.5,1,-1\n100,0.5,0.5,10,-10\n100,0.5,1.5,11,-11\n200,1,0.5,20,-20\n"
+            "0,0,0.5,0,0\n0,0,1.5,1,-1\n100,0.5,0.5,10,-10\n100,0.5,1.5,11,-11\n200,1,0.5,20,-20\n"
             "200,1,1.5,21,-21\n");
 }
 
