@@ -75,7 +75,7 @@ TEST(AverageOverWindows, HaveTheTimesOfTheFilesOrOfTheTimeStep) {
   EXPECT_TRUE(first_row(with, "--timestep 0.002").starts_with("15,0.029999999999999999,0,30,"));
   const Ran other = run_program(with.arguments() + "--every 4 --timestep 0.003");
   EXPECT_EQ(other.code, 2);
-  EXPECT_NE(other.err.find("--timestep: the file has times of its own, which are others"), std::string::npos)
+  EXPECT_NE(other.err.find("--timestep: the file has times of its own, which differ"), std::string::npos)
       << other.err;
 }
 
