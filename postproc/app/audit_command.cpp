@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "app/audit_windows.h"
 #include "app/audits.h"
 #include "app/commands.h"
 #include "app/coverage.h"
@@ -37,6 +38,7 @@ void check_wheel_is_no_bulk(const AuditOptions& options) {
 
 // Completes the options from the files, and checks that what they refer to exists.
 void complete(AuditOptions& options) {
+  check_windows(options.windows);
   check_in_one_list(options);
   const FrameSource source = frame_source(options.input);
   take_height(source, options.volumes.height);
@@ -66,8 +68,10 @@ void add_audit_command(CLI::App& program) {
   app->callback([options] {
     complete(*options);
     const bool rings = of_rings(options->volumes);
-    reading_again(options->input,
-                  [&] { check_bound(rings ? audit_rings(*options) : audit_box(*options), options->bound); });
+    reading_again(options->input, [&] {
+      if (options->windows.any()) return audit_windows(*options, rings ? ring_auditor : box_auditor);
+      check_bound(rings ? audit_rings(*options) : audit_box(*options), options->bound);
+    });
   });
 }
 

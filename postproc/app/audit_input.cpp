@@ -42,6 +42,7 @@ void add_audit_options(CLI::App& app, AuditOptions& options) {
       ->check(positive());
   app.add_option("--bound", options.bound, "exit code 1 when a balance is off by more than this fraction")
       ->check(not_negative());
+  add_window_options(app, options.windows);
   app.add_flag("--json", options.json, "print JSON");
   app.add_flag("--quiet", options.quiet, "no progress bar");
 }

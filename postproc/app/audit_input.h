@@ -8,6 +8,7 @@
 #include "app/audit_report.h"
 #include "app/input_options.h"
 #include "options/volume_options.h"
+#include "options/window_options.h"
 
 namespace mikromakro {
 
@@ -20,6 +21,7 @@ struct AuditOptions {
   bool kn_given = false;  ///< by the user, not by the files
   double bound = std::numeric_limits<double>::quiet_NaN();
   AuditUnits units;
+  WindowOptions windows;
   bool json = false;
   bool quiet = false;
 };

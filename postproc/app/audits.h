@@ -2,10 +2,31 @@
 // The audits of `mikromakro audit`. Each prints its table and returns its balances.
 #pragma once
 
+#include <memory>
+
 #include "app/audit_input.h"
 #include "app/audit_report.h"
 
 namespace mikromakro {
+
+/// The sums of one audit.
+class Auditor {
+ public:
+  Auditor() = default;
+  Auditor(const Auditor&) = delete;
+  Auditor& operator=(const Auditor&) = delete;
+  virtual ~Auditor() = default;
+
+  /// What to read for it.
+  virtual FrameSource source() const = 0;
+  /// Adds a frame; whether any averaged disc lies in the volumes.
+  virtual bool add(const Frame& frame, Notes& notes) = 0;
+  /// Of all frames so far.
+  virtual Balances balances() const = 0;
+};
+
+std::unique_ptr<Auditor> ring_auditor(const AuditOptions& options);
+std::unique_ptr<Auditor> box_auditor(const AuditOptions& options);
 
 /// Torque, radial momentum, forces on discs, volume over rings.
 Balances audit_rings(const AuditOptions& options);

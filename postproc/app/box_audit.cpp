@@ -68,10 +68,11 @@ double disc_volume_of(const Table& table, double height) {
 }
 
 // Accumulates, frame by frame, the sums that make up the audit of a box.
-class BoxAuditor {
+class BoxAuditor : public Auditor {
  public:
   explicit BoxAuditor(const AuditOptions& options)
-      : volumes_(checked(options)),
+      : options_(options),
+        volumes_(checked(options)),
         given_(given_box(volumes_)),
         contacts_({Eigen::Vector2d::Zero(), volumes_.bulk_types, {}}),
         forces_(options.kn) {
@@ -80,7 +81,8 @@ class BoxAuditor {
     is_kernel_ = make_weight(volumes_.weight)->is_kernel();
   }
 
-  FrameSource source(const InputOptions& input) const {
+  FrameSource source() const override {
+    const InputOptions& input = options_.input;
     require_contacts(input, "the stress of walls needs");
     FrameSource source = frame_source(input);
     if (!volumes_.bulk_types.empty()) source.particles_needed = column_set(ParticleColumn::type);
@@ -90,8 +92,7 @@ class BoxAuditor {
     return source;
   }
 
-  /// Whether any averaged disc lies in the box.
-  bool add(const Frame& frame) {
+  bool add(const Frame& frame, Notes& /*notes*/) override {
     const Rectangle box = given_ ? *given_ : wall_rectangle(frame);
     VolumeOptions by_centre = one_box(volumes_, box);
     by_centre.weight = "centre";
@@ -115,6 +116,8 @@ class BoxAuditor {
     volume_by_weight_ += disc_volume_of(whole->solve(whole->frame_sums(frame)), volumes_.height);
     return area > 0;
   }
+
+  Balances balances() const override { return result().balances; }
 
   BoxAudit result() const {
     BoxAudit audit;
@@ -199,6 +202,7 @@ class BoxAuditor {
                               judged});
   }
 
+  const AuditOptions& options_;
   VolumeOptions volumes_;
   std::optional<Rectangle> given_;
   std::unique_ptr<const Averager> cells_;
@@ -214,9 +218,14 @@ class BoxAuditor {
 
 }  // namespace
 
+std::unique_ptr<Auditor> box_auditor(const AuditOptions& options) {
+  return std::make_unique<BoxAuditor>(options);
+}
+
 Balances audit_box(const AuditOptions& options) {
   BoxAuditor auditor(options);
-  read_frames(auditor.source(options.input), options, [&](const Frame& frame) { return auditor.add(frame); });
+  const FrameSource source = auditor.source();
+  read_frames(source, options, [&](const Frame& frame) { return auditor.add(frame, *source.notes); });
   BoxAudit audit = auditor.result();
   audit.units = options.units;
   options.json ? print_json(audit) : print_text(audit);

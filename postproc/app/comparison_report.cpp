@@ -110,21 +110,32 @@ std::string differences_of_resolutions(const Comparison& comparison) {
          lines;
 }
 
-std::string long_csv(const Preamble& preamble, const Comparison& comparison) {
+std::string long_head(const Preamble& preamble, const Comparison& comparison,
+                      const std::vector<Column>& leading) {
   Table head;
-  head.columns = {{"weight", "-", "-", "how discs count"},
-                  {"resolution", "1", "-", "number of rings, or of columns of rectangles"}};
+  head.columns = leading;
+  head.columns.push_back({"weight", "-", "-", "how discs count"});
+  head.columns.push_back({"resolution", "1", "-", "number of rings, or of columns of rectangles"});
   const std::vector<Column>& columns = comparison.profiles.front().table.columns;
   head.columns.insert(head.columns.end(), columns.begin(), columns.end());
-  std::string text = csv_text(preamble, head);
+  return csv_text(preamble, head);
+}
+
+std::string long_rows(const Comparison& comparison, const Eigen::ArrayXd& leading) {
+  std::string begin, text;
+  for (const double number : leading) begin.append(number_text(number)) += ',';
   for (const Profile& profile : comparison.profiles) {
     for (Eigen::Index row = 0; row < profile.table.rows.rows(); ++row) {
-      fmt::format_to(std::back_inserter(text), "{},{}", profile.weight, profile.resolution);
+      fmt::format_to(std::back_inserter(text), "{}{},{}", begin, profile.weight, profile.resolution);
       for (const double number : profile.table.rows.row(row)) text.append(",").append(number_text(number));
       text += '\n';
     }
   }
   return text;
+}
+
+std::string long_csv(const Preamble& preamble, const Comparison& comparison) {
+  return long_head(preamble, comparison, {}) + long_rows(comparison, {});
 }
 
 }  // namespace mikromakro

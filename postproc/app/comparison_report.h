@@ -41,7 +41,13 @@ std::string differences_of_weights(const Comparison& comparison);
 /// one resolution or if there are no such columns.
 std::string differences_of_resolutions(const Comparison& comparison);
 
-/// All profiles stacked, with leading columns for weight and resolution.
+/// The lines above all profiles stacked, with columns for weight and resolution behind the leading ones; and
+/// the rows, which begin with the numbers of those.
+std::string long_head(const Preamble& preamble, const Comparison& comparison,
+                      const std::vector<Column>& leading);
+std::string long_rows(const Comparison& comparison, const Eigen::ArrayXd& leading);
+
+/// Both, without leading columns.
 std::string long_csv(const Preamble& preamble, const Comparison& comparison);
 
 }  // namespace mikromakro

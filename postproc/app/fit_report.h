@@ -21,6 +21,7 @@ struct FitReport {
   FitErrors errors;
   double residuals_over_errors = 0;  ///< rms; nan if rings have no errors
   std::vector<FitChoice> choices;
+  std::vector<std::string> warnings;
 };
 
 void print_json(const FitReport& report);

@@ -49,7 +49,9 @@ class Averager {
   std::vector<bool> volume_sums() const;
   /// Values of the columns, from the mean of such sums.
   Rows values(const Rows& mean_sums) const;
-  /// The same, preceded by the columns that describe the volumes.
+  /// The columns that describe the volumes.
+  Table volumes() const;
+  /// The values, preceded by these columns.
   Table solve(const Rows& mean_sums) const;
 
   /// Remarks of the fields on their columns.

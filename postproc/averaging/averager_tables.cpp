@@ -88,6 +88,10 @@ Rows Averager::values(const Rows& mean_sums) const {
   return values;
 }
 
+Table Averager::volumes() const {
+  return {volumes_->columns(), volumes_->coordinates()};
+}
+
 Table Averager::solve(const Rows& mean_sums) const {
   Table table;
   table.columns = volumes_->columns();

@@ -259,15 +259,23 @@ Rows BlockErrors::times_of_fields() const {
   return times;
 }
 
-void append_errors(const BlockErrors& errors, const std::vector<Column>& columns, Table& table) {
+std::vector<Column> error_columns(const std::vector<Column>& columns,
+                                  const std::vector<ColumnsOfField>& fields) {
+  std::vector<Column> added;
   for (const Column& column : columns)
-    table.columns.push_back(
-        {column.name + "_err", column.unit, "jackknife", "standard error of " + column.name});
-  table.columns.push_back({"effective_samples", "1", "-",
-                           "independent frames, of the quantity of this row that changes most slowly"});
-  for (const FieldErrors& made : errors.fields)
-    table.columns.push_back({made.field.name + "_two_tau", "frames", "-",
-                             "correlation time 2 tau, of the slowest column of " + made.field.name});
+    added.push_back({column.name + "_err", column.unit, "jackknife", "standard error of " + column.name});
+  added.push_back({"effective_samples", "1", "-",
+                   "independent frames, of the quantity of this row that changes most slowly"});
+  for (const ColumnsOfField& field : fields)
+    added.push_back({field.name + "_two_tau", "frames", "-",
+                     "correlation time 2 tau, of the slowest column of " + field.name});
+  return added;
+}
+
+void append_errors(const BlockErrors& errors, const std::vector<Column>& columns, Table& table) {
+  std::vector<ColumnsOfField> fields;
+  for (const FieldErrors& made : errors.fields) fields.push_back(made.field);
+  for (Column& column : error_columns(columns, fields)) table.columns.push_back(std::move(column));
   const Rows times = errors.times_of_fields();
   Rows rows(table.rows.rows(), table.rows.cols() + errors.error.cols() + 1 + times.cols());
   rows << table.rows, errors.error, errors.effective_samples(), times;

@@ -55,8 +55,11 @@ struct BlockErrors {
 BlockErrors block_errors(const TimeAverage& average, const Solver& solve,
                          const std::vector<ColumnsOfField>& fields);
 
-/// Appends a column <name>_err for each of `columns`, then effective_samples, then <field>_two_tau for each
-/// field.
+/// A column <name>_err for each of `columns`, then effective_samples, then <field>_two_tau for each field.
+std::vector<Column> error_columns(const std::vector<Column>& columns,
+                                  const std::vector<ColumnsOfField>& fields);
+
+/// Appends these columns.
 void append_errors(const BlockErrors& errors, const std::vector<Column>& columns, Table& table);
 
 }  // namespace mikromakro

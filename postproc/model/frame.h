@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <Eigen/Core>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace mikromakro {
@@ -51,6 +52,14 @@ struct Contact {
   bool with_wall() const { return id2 <= 0; }
 };
 
+/// State of a wall at one step: the numbers that a fix outputs, under the name of the fix.
+struct WallState {
+  std::string name;
+  std::string style;  ///< defines what the numbers mean
+  std::vector<double> numbers;
+  bool height_known = true;  ///< false: pressures are forces per length
+};
+
 struct Frame {
   std::int64_t step = 0;
   double time = not_given;  ///< s
@@ -59,7 +68,8 @@ struct Frame {
   Box box;
   std::vector<Particle> particles;
   std::vector<Contact> contacts;
-  bool contacts_known = true;  ///< false: there is no contact file; discs may still touch
+  std::vector<WallState> walls = {};  ///< those that were wished for
+  bool contacts_known = true;         ///< false: there is no contact file; discs may still touch
 };
 
 }  // namespace mikromakro

@@ -12,13 +12,6 @@
 
 namespace mikromakro {
 
-/// State of a wall at one step: the numbers that a fix outputs, under the name of the fix.
-struct WallState {
-  std::string name;
-  std::string style;  ///< defines what the numbers mean
-  std::vector<double> numbers;
-};
-
 /// A frame before its contacts are joined to its particles. For messages: particle i is in line
 /// first_particle_line + i of particle_file, or in a further piece.
 struct RawFrame {

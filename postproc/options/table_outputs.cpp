@@ -18,8 +18,8 @@ constexpr std::array<std::string_view, 4> endings = {".csv", ".h5", ".vtkhdf", "
 
 }  // namespace
 
-TableOutputs::TableOutputs(const std::vector<std::string>& names, const std::vector<std::string>& inputs)
-    : to_stdout_(names.empty()) {
+OutputFiles::OutputFiles(const std::vector<std::string>& names, const std::vector<std::string>& inputs)
+    : to_stdout(names.empty()) {
   for (const std::string& name : names) {
     const bool known =
         std::any_of(endings.begin(), endings.end(), [&](auto ending) { return name.ends_with(ending); });
@@ -30,17 +30,17 @@ TableOutputs::TableOutputs(const std::vector<std::string>& names, const std::vec
   check_outputs(names.empty() ? std::vector<std::string>{"-"} : names, inputs);
   for (const std::string& name : names) {
     if (name == "-") {
-      to_stdout_ = true;
+      to_stdout = true;
     } else {
-      files_.push_back({name, std::make_unique<OutputFile>(name)});
-      if (!name.ends_with(".csv")) files_.back().file->require_regular();
+      files.push_back({name, std::make_unique<OutputFile>(name)});
+      if (!name.ends_with(".csv")) files.back().file->require_regular();
     }
   }
 }
 
 void TableOutputs::commit(const Preamble& preamble, const Table& table, const Eigen::Vector2d& center) {
   const std::string text = csv_text(preamble, table);
-  for (const auto& [name, file] : files_) {
+  for (const auto& [name, file] : files_.files) {
     if (name.ends_with(".csv")) {
       file->commit(text);
       continue;
@@ -49,7 +49,7 @@ void TableOutputs::commit(const Preamble& preamble, const Table& table, const Ei
     if (name.ends_with("hdf")) write_vtkhdf(file->temporary(), table, volume_outlines(table, center));
     file->publish();
   }
-  if (to_stdout_) fmt::print("{}", text);
+  if (files_.to_stdout) fmt::print("{}", text);
 }
 
 }  // namespace mikromakro

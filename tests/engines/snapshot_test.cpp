@@ -147,6 +147,46 @@ TEST_P(OnRanks, AveragesAreThoseOfTheProgramToTheLastBit) {
   EXPECT_NE(text("r_120.csv").find("# frames: 3, steps 80 to 120\n"), std::string::npos);
 }
 
+// The rows of a table from column `first` on, without the names.
+std::string rows_from(const std::string& table, int first) {
+  std::istringstream lines(table);
+  std::string line, rows;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::size_t at = 0;
+    for (int i = 0; i < first; ++i) at = line.find(',', at) + 1;
+    rows += line.substr(at) + "\n";
+  }
+  return rows;
+}
+
+// Windows of three frames; the frame of step 0 is in none. Each row begins with step, time, step_first and
+// step_last, and the nine numbers of the cell.
+TEST_P(OnRanks, WindowsAreThoseOfTheProgramToTheLastBit) {
+  run(turning_cell +
+          "fix s all snapshot/disc 20 file s.h5\n"
+          "fix r all ave/micromacro 20 60 file r_*.csv rings 0.02 0.045 5 bulk_types 1,2 kn 400 height "
+          "0.006\nrun 120\n",
+      GetParam());
+  average("--every 3 --frames 1: --rings 0.02 0.045 5 --bulk-types 1,2 --kn 400 --height 0.006", "w.csv");
+  const std::string windows = table("w.csv");
+  EXPECT_TRUE(windows.starts_with(
+      "step,time,step_first,step_last,cell_torque_inner,cell_torque_outer,cell_pressure_inner,"
+      "cell_pressure_outer,cell_angle_inner,cell_angle_outer,cell_r_outer,cell_r_outer_rate,"
+      "cell_power_inner,r_inner,r_outer,r,nu,"))
+      << windows;
+  const std::string rows = rows_from(windows, 13);
+  ASSERT_GT(rows.size(), 2000U);
+  EXPECT_EQ(rows, rows_from(table("r_60.csv"), 0) + rows_from(table("r_120.csv"), 0));
+  EXPECT_NE(text("w.csv").find("# column cell_pressure_outer [N/m] (-) pressure on the outer ring\n"),
+            std::string::npos);  // the cell has no height
+  // Steps 20, 40, 60: the angle at the mean time, 40 steps of 2e-5 s at 5 rad/s.
+  EXPECT_TRUE(rows_from(windows, 0).starts_with("40,")) << rows_from(windows, 0);
+  double angle = 0;
+  std::istringstream(rows_from(windows, 8)) >> angle;
+  EXPECT_DOUBLE_EQ(angle, 5 * 40 * 2e-5);
+}
+
 // Discs and contacts across the boundaries count on both sides of them. nu of the whole box is that of all
 // discs.
 TEST_P(OnRanks, AveragesInAPeriodicBoxAreThoseOfTheProgramToTheLastBit) {

@@ -15,6 +15,7 @@
 #include "engine/first_rank.h"
 #include "fix.h"
 #include "group.h"
+#include "law/agreement.h"
 #include "law/contact_rows.h"
 #include "law/disc_law.h"
 #include "modify.h"
@@ -101,7 +102,8 @@ std::vector<WallState> wall_states(const LAMMPS_NS::Modify& modify) {
     const std::string style = fix->style;
     if (!fix->vector_flag || (style != "couette/2d" && style != "biaxial/2d" && style != "wall/disc"))
       continue;
-    walls.push_back({fix->id, style, {}});
+    const auto* with_height = dynamic_cast<const KnowsHeight*>(fix);
+    walls.push_back({fix->id, style, {}, with_height == nullptr || with_height->given_height() > 0});
     for (int i = 0; i < fix->size_vector; ++i) walls.back().numbers.push_back(fix->compute_vector(i));
   }
   return walls;

@@ -11,6 +11,13 @@
 namespace mikromakro {
 namespace {
 
+Eigen::ArrayXd numbers_of_walls(const Frame& frame) {
+  std::vector<double> numbers;
+  for (const WallState& wall : frame.walls)
+    numbers.insert(numbers.end(), wall.numbers.begin(), wall.numbers.end());
+  return Eigen::Map<const Eigen::ArrayXd>(numbers.data(), std::ssize(numbers));
+}
+
 // The frames in flight: each thread without other work reads the next frame and sums it.
 class FramesUnderWay {
  public:
@@ -86,7 +93,7 @@ class FramesUnderWay {
     if (make)
       attempt(outcome, [&] {
         make(frame);
-        outcome.sums = {frame.index, frame.step, frame.run, sum_(frame)};
+        outcome.sums = {frame.index, frame.step, frame.run, frame.time, numbers_of_walls(frame), sum_(frame)};
       });
     lock.lock();
     over_ = over_ || outcome.error;

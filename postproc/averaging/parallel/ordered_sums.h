@@ -14,7 +14,9 @@ namespace mikromakro {
 struct FrameSums {
   std::int64_t index = 0;  ///< see Frame::index
   std::int64_t step = 0;
-  std::int64_t run = 0;  ///< see Frame::run
+  std::int64_t run = 0;       ///< see Frame::run
+  double time = not_given;    ///< s
+  Eigen::ArrayXd walls = {};  ///< numbers of all Frame::walls, one after the other
   Rows sums;
 };
 

@@ -100,8 +100,14 @@ void OutputFile::fail() const {
 }
 
 void OutputFile::commit(std::string_view content) {
+  commit([&](std::ostream& stream) {
+    stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  });
+}
+
+void OutputFile::commit(const std::function<void(std::ostream&)>& write) {
   std::ofstream stream(temporary_, std::ios::binary);
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  write(stream);
   stream.close();
   if (!stream) fail();
   publish();

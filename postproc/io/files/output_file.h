@@ -2,6 +2,8 @@
 // Output files that are written completely or not at all.
 #pragma once
 
+#include <functional>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +22,8 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   void commit(std::string_view content);
+  /// The same for content that is written piece by piece.
+  void commit(const std::function<void(std::ostream&)>& write);
 
   /// For libraries that write files themselves: they write to `temporary`, then `publish` renames it.
   const std::string& temporary() const { return temporary_; }

@@ -107,12 +107,14 @@ void join(RawFrame& raw, Frame& frame, ContactRules rules) {
   frame.particles.swap(raw.particles);
   convert(raw.units, raw, frame);
   frame.time = raw.time;
+  frame.walls = raw.walls;
 }
 
 ColumnWishes FrameSource::wishes() const {
   const ColumnSet mass = density > 0 ? column_set(ParticleColumn::mass) : 0;
-  return {particle_columns, contact_columns, particles_needed & ~mass, contacts_needed, notes, selection,
-          look_through,     wall_columns};
+  return {particle_columns, contact_columns, particles_needed & ~mass,
+          contacts_needed,  notes,           selection,
+          look_through,     wall_columns,    walls};
 }
 
 std::vector<Run> FrameSource::runs() const {

@@ -46,6 +46,7 @@ struct FrameSource {
   std::vector<std::string> wall_files = {};  ///< contacts with walls, in addition to those of discs
   std::vector<std::string> wall_columns = {};
   bool distant_contacts = false;         ///< forces may act between discs that do not touch
+  std::vector<WallNumbers> walls = {};   ///< numbers of walls that frames shall carry
   std::vector<int> averaged_types = {};  ///< contacts of others may be missing; empty: none may
 
   ColumnWishes wishes() const;

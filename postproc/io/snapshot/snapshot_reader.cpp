@@ -13,6 +13,7 @@
 
 #include "io/hdf5/chunk_reader.h"
 #include "io/snapshot/snapshot_layout.h"
+#include "io/snapshot/wall_series.h"
 #include "io/text/particle_reader.h"
 #include "joining/needed_columns.h"
 #include "model/same_box.h"
@@ -119,7 +120,10 @@ struct Boxes {
 
 struct SnapshotReader::Open {
   Open(const std::string& name, const ColumnWishes& wishes)
-      : file(Hdf5File::open(name)), summary(summarise_snapshots(file, name)), boxes(file, summary, name) {
+      : file(Hdf5File::open(name)),
+        summary(summarise_snapshots(file, name)),
+        boxes(file, summary, name),
+        walls(file, wishes.walls) {
     const ColumnMap particles{{}, summary.particles_given};
     require_columns(particles,
                     wishes.particles_needed | particle_base_columns | column_set(ParticleColumn::id),
@@ -139,6 +143,7 @@ struct SnapshotReader::Open {
   Hdf5File file;
   SnapshotSummary summary;
   Boxes boxes;
+  WallReader walls;
   std::vector<ChunkReader> elements;  // in the order of snapshot::elements
   std::vector<ChunkReader> columns;   // by ContactColumn
 };
@@ -210,6 +215,7 @@ struct SnapshotReader::Packed {
   ColumnSet contacts_given = 0;
   ColumnSet contacts_needed = 0;
   std::vector<PackedNumbers> columns;
+  std::vector<WallState> walls;
 
   void unpack(RawFrame& frame) const;
   void unpack_particles(RawFrame& frame) const;
@@ -224,6 +230,7 @@ UnpackFrame SnapshotReader::take(bool closely) {
   packed->step = last_step_;
   if (!summary.times.empty()) packed->time = summary.times[frame];
   packed->box = open_->boxes.of(frame);
+  packed->walls = open_->walls.read(frame);
   packed->particles_given = summary.particles_given;
   for (std::size_t i = 0; i < std::size(snapshot::elements); ++i) {
     const bool given = (snapshot::elements[i].columns() & ~summary.particles_given) == 0;
@@ -251,6 +258,7 @@ void SnapshotReader::Packed::unpack(RawFrame& frame) const {
   frame.step = step;
   frame.time = time;
   frame.box = box;
+  frame.walls = walls;
   unpack_particles(frame);
   frame.with_contacts = with_contacts;
   if (with_contacts) unpack_contacts(frame.contacts);

@@ -8,6 +8,7 @@
 
 #include "io/frames/frame_format.h"
 #include "io/hdf5/hdf5_file.h"
+#include "model/wall_numbers.h"
 
 namespace mikromakro {
 
@@ -29,6 +30,28 @@ class WallSeries {
 
  private:
   std::map<std::string, Hdf5Dataset, std::less<>> values_;
+};
+
+/// The walls of a file with the names and units of their numbers. Files without names have those of the fix's
+/// style, or numbers.
+std::vector<WallNumbers> wall_numbers(const Hdf5File& file);
+/// Those of several files, each wall once.
+std::vector<WallNumbers> wall_numbers(const std::vector<std::string>& files);
+
+/// Reads them frame by frame.
+class WallReader {
+ public:
+  /// Opens the `wanted` walls; one that the file does not have, or with fewer or more numbers, is nan.
+  WallReader(const Hdf5File& file, const std::vector<WallNumbers>& wanted);
+  std::vector<WallState> read(std::uint64_t frame) const;
+
+ private:
+  struct Series {
+    std::string wall;
+    std::size_t count;
+    Hdf5Dataset values;
+  };
+  std::vector<Series> series_;
 };
 
 }  // namespace mikromakro

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "io/hdf5/hdf5_file.h"
 #include "io/tables/csv_writer.h"
 
 namespace mikromakro {
@@ -13,5 +14,9 @@ namespace mikromakro {
 /// attributes: program and version, inputs, options, one attribute per name (a list if a name occurs more
 /// than once).
 void write_table_hdf5(const std::string& file, const Preamble& preamble, const Table& table);
+
+/// The attributes of a column, and those of the table and the root.
+void describe_column(Hdf5File& out, const Column& column);
+void describe_table(Hdf5File& out, const Preamble& preamble, const std::vector<Column>& columns);
 
 }  // namespace mikromakro

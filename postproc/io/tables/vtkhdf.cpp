@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "io/tables/vtkhdf.h"
 
-#include "io/hdf5/hdf5_file.h"
-
 namespace mikromakro {
 namespace {
 
@@ -14,7 +12,9 @@ void add_list(Hdf5File& out, const std::string& name, const std::vector<T>& numb
   out.add<T>(root + name, numbers, {numbers.size()});
 }
 
-void add_grid(Hdf5File& out, const std::vector<Outline>& outlines) {
+}  // namespace
+
+void add_outlines(Hdf5File& out, const std::vector<Outline>& outlines) {
   std::vector<double> points;
   std::vector<std::int64_t> connectivity;
   std::vector<std::int64_t> offsets = {0};
@@ -35,15 +35,18 @@ void add_grid(Hdf5File& out, const std::vector<Outline>& outlines) {
   add_list(out, "Types", std::vector<std::uint8_t>(outlines.size(), vtk_polygon));
 }
 
-}  // namespace
-
-void write_vtkhdf(const std::string& file, const Table& table, const std::vector<Outline>& outlines) {
+Hdf5File begin_vtkhdf(const std::string& file, std::int64_t major_version) {
   Hdf5File out = Hdf5File::create(file);
-  constexpr std::int64_t version[] = {1, 0};
+  const std::int64_t version[] = {major_version, 0};
   out.add_group("/VTKHDF");
   out.attribute("/VTKHDF", "Version", version);
   out.short_attribute("/VTKHDF", "Type", "UnstructuredGrid");
-  add_grid(out, outlines);
+  return out;
+}
+
+void write_vtkhdf(const std::string& file, const Table& table, const std::vector<Outline>& outlines) {
+  Hdf5File out = begin_vtkhdf(file, 1);
+  add_outlines(out, outlines);
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     std::vector<double> values;
     values.reserve(outlines.size());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/hdf5/hdf5_file.h"
 #include "model/table.h"
 
 namespace mikromakro {
@@ -20,5 +21,10 @@ struct Outline {
 /// (https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html#vtkhdf-file-format), UnstructuredGrid
 /// version 1.0: polygons with every column of the table as cell data. Readable by ParaView 5.11 and later.
 void write_vtkhdf(const std::string& file, const Table& table, const std::vector<Outline>& outlines);
+
+/// Such a file without its grid, of the given major version.
+Hdf5File begin_vtkhdf(const std::string& file, std::int64_t major_version);
+/// The grid of such a file.
+void add_outlines(Hdf5File& out, const std::vector<Outline>& outlines);
 
 }  // namespace mikromakro

@@ -12,6 +12,7 @@
 #include "io/text/matched_frames.h"
 #include "model/notes.h"
 #include "model/units.h"
+#include "model/wall_numbers.h"
 
 namespace mikromakro {
 
@@ -26,6 +27,7 @@ struct ColumnWishes {
   FrameSelection selection = {};  ///< other steps cause no notes
   bool look_through = false;      ///< scan the files first for repeated steps
   std::vector<std::string> wall_columns = {};
+  std::vector<WallNumbers> walls = {};  ///< numbers of walls to read, of snapshots
 };
 
 /// Frames missing from the particle or contact files, and steps with a missing piece, are left out and noted.

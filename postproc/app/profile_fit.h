@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Fits of profiles in tables of rings.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "app/fit_report.h"
+#include "io/tables/csv_reader.h"
+
+namespace mikromakro {
+
+struct FitOptions {
+  std::vector<std::string> files;
+  std::string column = "v_phi", weights = "none", blocks;
+  std::vector<double> range;
+  double ri = std::nan("");
+  double omega = std::nan("");
+  bool log = false, json = false;
+  FitSaid said;
+};
+
+/// Throws if the table is not one of rings; notes rings whose radius is not in the middle.
+void check_ring_table(const CsvTable& table);
+
+/// Fits the profile of the first table; further ones, of the same discs and frames, are choices beside it.
+FitReport fit_tables(const std::vector<CsvTable>& tables, const FitOptions& options);
+
+}  // namespace mikromakro
