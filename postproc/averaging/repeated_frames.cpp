@@ -2,6 +2,7 @@
 #include "averaging/repeated_frames.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mikromakro {
 
@@ -25,14 +26,10 @@ bool RepeatedFrames::same_to_all_digits(const Seen& one, const Seen& other) {
          !((one.sums - other.sums).abs() > digits * one.sizes.max(other.sizes)).any();
 }
 
-double RepeatedFrames::fingerprint(const Seen& frame) {
-  return frame.sums.isNaN().select(0, frame.sums).sum();
-}
-
 bool RepeatedFrames::add(const FrameSums& frame) {
   const Eigen::ArrayXd place =
       Eigen::ArrayXd::LinSpaced(frame.sums.rows(), 1, static_cast<double>(frame.sums.rows()));
-  Seen seen{frame.run, (frame.sums.colwise() * place).colwise().sum().transpose(),
+  Seen seen{frame.run, frame.places, (frame.sums.colwise() * place).colwise().sum().transpose(),
             (frame.sums.abs().colwise() * place).colwise().sum().transpose()};
   const bool moves = last_.sums.size() == 0 || last_.run != seen.run || !same(last_, seen);
   std::vector<Seen>& at_this_step = by_step_[frame.step];
@@ -42,8 +39,8 @@ bool RepeatedFrames::add(const FrameSums& frame) {
                  return earlier.run != seen.run &&
                         (same(earlier, seen) || (changes >= fewest && same_to_all_digits(seen, earlier)));
                });
-  if (changes > 0) {
-    const auto [first, is_new] = run_of_fingerprint_.try_emplace(fingerprint(seen), seen.run);
+  if (last_.run == seen.run && last_.places != seen.places && !std::isnan(seen.places)) {
+    const auto [first, is_new] = run_of_places_.try_emplace(seen.places, seen.run);
     again = again || (!is_new && first->second != seen.run);
   }
   last_ = seen;

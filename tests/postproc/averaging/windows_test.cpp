@@ -17,7 +17,7 @@ std::vector<FrameSums> frames_of(std::int64_t count, std::int64_t run = 0) {
   for (std::int64_t i = 0; i < count; ++i) {
     Rows sums(4, 3);
     for (double& sum : sums.reshaped()) sum = between(random);
-    frames.push_back({i, 10 * i + 5, run, 0.5 * static_cast<double>(i),
+    frames.push_back({i, 10 * i + 5, run, 0.5 * static_cast<double>(i), not_given,
                       Eigen::ArrayXd::Constant(2, 1.0 * static_cast<double>(i)), sums});
   }
   return frames;
