@@ -32,7 +32,8 @@ SeriesVtkhdf::SeriesVtkhdf(const std::string& file, SeriesColumns columns, std::
   add_outlines(out_, outlines_);
   const auto data_of = [&](const Column& column) {
     const std::uint64_t chunk = std::max<std::uint64_t>(outlines_.size(), numbers_per_chunk);
-    return out_.add_growing(root + "CellData/" + column.name, Hdf5Type::real, {chunk});
+    // A ring is many polygons of the same value.
+    return out_.add_growing(root + "CellData/" + column.name, Hdf5Type::real, {chunk}, 0, true, true);
   };
   for (const Column& column : columns_.of_window) window_data_.push_back(data_of(column));
   for (std::size_t i = 0; i < columns_.of_volume.size(); ++i) {
