@@ -71,8 +71,12 @@ AuditOptions audit_options(const InputOptions& input, const AverageOptions& aver
 Json audit_json(AuditOptions options) {
   try {
     complete(options);
+    const std::unique_ptr<Auditor> auditor =
+        of_rings(options.volumes) ? ring_auditor(options) : box_auditor(options);
+    const FrameSource source = auditor->source();
+    read_frames(source, options, [&](const Frame& frame) { return auditor->add(frame, *source.notes); });
     Json list = Json::array();
-    for (const Balance& one : of_rings(options.volumes) ? judge_rings(options) : judge_box(options))
+    for (const Balance& one : auditor->balances())
       list.push_back(balance_json(one, !std::isnan(options.kn)));
     return {{"balances", list}};
   } catch (const Error& error) {

@@ -108,12 +108,15 @@ Task task_of(const ReportOptions& options) {
 struct Survey {
   Averaged all;
   SceneRanges ranges;
+  Json first, last;  // frames
 };
 
 Survey survey(const ReportOptions& options, const Task& task) {
   const VolumeOptions& volumes = task.average.volumes;
   Survey result{{no_sums(task.average, *task.averager), {}},
-                SceneRanges({volumes.bulk_types, volumes.height, options.time_step})};
+                SceneRanges({volumes.bulk_types, volumes.height, options.time_step}),
+                {},
+                {}};
   TypesSeen types("--bulk-types", volumes.bulk_types);
   read_frames(task.source, task.audit, [&](const Frame& frame) {
     Notes& notes = *task.source.notes;
@@ -126,6 +129,8 @@ Survey survey(const ReportOptions& options, const Task& task) {
       note_walls(frame, options.input, notes);
     }
     result.ranges.add(frame);
+    result.last = place_json(frame, options.time_step);
+    if (result.first.is_null()) result.first = result.last;
     const Rows sums = task.averager->frame_sums(frame);
     result.all.add(frame.step, sums, frame.run);
     return (sums != 0).any();
@@ -160,7 +165,8 @@ Json windows_and_scene(const ReportOptions& options, const Task& task, const Sur
                        std::int64_t every, std::string& scene) {
   const std::int64_t frames = found.all.sums.frames();
   const std::int64_t stride = (frames + options.scene_frames - 1) / options.scene_frames;
-  PageWindows windows(*task.averager, {every, false, options.time_step}, error_blocks(task.average, *task.averager));
+  PageWindows windows(*task.averager, {every, false, options.time_step},
+                      error_blocks(task.average, *task.averager));
   ScenePacker packer(found.ranges);
   std::int64_t place = 0;
   read_frames(task.source, task.audit, [&](const Frame& frame) {
@@ -172,6 +178,9 @@ Json windows_and_scene(const ReportOptions& options, const Task& task, const Sur
   Json description = found.ranges.description();
   description["stride"] = stride;
   description["frames"] = packer.frames();
+  if (options.every > 0 && windows.windows().empty())
+    throw bad_input({"--every"}, "no window is full", "as many frames as a run has, or fewer",
+                    fmt::format("{}", options.every));
   const Json all = windows.windows_of_frames();
   Json of_scene = Json::array();
   for (std::size_t i = 0; i < all.size(); i += static_cast<std::size_t>(stride)) of_scene.push_back(all[i]);
@@ -198,6 +207,8 @@ void report(const ReportOptions& options, const CLI::App& app) {
   data["columns"] = columns_json(*task.averager);
   const BlockErrors errors = errors_of(*task.averager, found.all.sums);
   data["all"] = averages_json(*task.averager, found.all.sums, errors);
+  data["all"]["first"] = found.first;
+  data["all"]["last"] = found.last;
   data["audit"] = task.with_contacts ? audit_json(task.audit)
                                      : Json{{"impossible", "there are no contacts in the input"}};
   Preamble lines;

@@ -25,6 +25,13 @@ double six_digits(double value) {
   return std::isfinite(value) ? std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr) : value;
 }
 
+Json place_json(const Frame& frame, double time_step) {
+  const bool given = !std::isnan(frame.time) || time_step == 0;
+  return {{"index", frame.index},
+          {"step", frame.step},
+          {"time", given ? frame.time : time_step * static_cast<double>(frame.step)}};
+}
+
 Json columns_json(const Averager& averager) {
   Json list = Json::array();
   for (const Column& column : averager.columns())
@@ -56,9 +63,7 @@ void PageWindows::add(const Frame& frame) {
   if (frame.run != run_) windows_of_frames_.insert(windows_of_frames_.end(), places_.size(), Json());
   if (frame.run != run_) places_.clear();
   run_ = frame.run;
-  const double time =
-      std::isnan(frame.time) && rule_.time_step > 0 ? rule_.time_step * static_cast<double>(frame.step) : frame.time;
-  places_.push_back({frame.index, frame.step, time});
+  places_.push_back(place_json(frame, rule_.time_step));
   FrameSums sums;
   sums.index = frame.index;
   sums.step = frame.step;
@@ -68,15 +73,11 @@ void PageWindows::add(const Frame& frame) {
   open_.add(sums);
 }
 
-Json PageWindows::json_of(const Place& place) {
-  return {{"index", place.index}, {"step", place.step}, {"time", place.time}};
-}
-
 void PageWindows::take(const Window& window) {
   windows_of_frames_.insert(windows_of_frames_.end(), places_.size(), windows_.size());
   Json json = averages_json(averager_, window.sums, errors_of(averager_, window.sums));
-  json["first"] = json_of(places_.front());
-  json["last"] = json_of(places_.back());
+  json["first"] = places_.front();
+  json["last"] = places_.back();
   json["step"] = window.step;
   json["time"] = window.time;
   windows_.push_back(std::move(json));

@@ -16,6 +16,9 @@ namespace mikromakro {
 /// A number rounded to the six digits that pages show; nan remains.
 double six_digits(double value);
 
+/// Index, step and time (s) of a frame; `time_step` (s; 0: not given) for frames without a time.
+Json place_json(const Frame& frame, double time_step);
+
 /// The columns of an average, and for each its values and standard errors in all volumes.
 Json columns_json(const Averager& averager);
 Json averages_json(const Averager& averager, const TimeAverage& sums, const BlockErrors& errors);
@@ -32,17 +35,12 @@ class PageWindows {
   Json windows_of_frames();
 
  private:
-  struct Place {
-    std::int64_t index, step;
-    double time;
-  };
-  static Json json_of(const Place& place);
   void take(const Window& window);
 
   const Averager& averager_;
   WindowRule rule_;
   Windows open_;
-  std::vector<Place> places_;  // of the frames that are in no window yet
+  std::vector<Json> places_;  // of the frames that are in no window yet
   std::int64_t run_ = 0;
   Json windows_ = Json::array(), windows_of_frames_ = Json::array();
 };

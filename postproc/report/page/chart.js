@@ -98,8 +98,8 @@ function timeChart({ points, values, errors, mark, xTitle, yTitle, logarithm }) 
   const { width, height, left, right, top, bottom } = CHART;
   const x = scaleOf(points, [left, width - right], false);
   const y = scaleOf(withBand(values, errors), [height - bottom, top], logarithm);
-  const at = x.place(points[mark]);
+  const now = mark === null ? [] : [drawn("line", { x1: x.place(points[mark]), x2: x.place(points[mark]), y1: top, y2: height - bottom, class: "now" })];
   return drawn("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `${yTitle} against ${xTitle}` },
-               ...axes(x, y, xTitle, yTitle), drawn("line", { x1: at, x2: at, y1: top, y2: height - bottom, class: "now" }),
+               ...axes(x, y, xTitle, yTitle), ...now,
                curve(x, y, points, values, "curve"), ...bars(x, y, points, values, errors));
 }

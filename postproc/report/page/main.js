@@ -12,12 +12,12 @@ async function startScene(page, profiles) {
   byId("scene").hidden = false;
   let player = null;
   const follow = (place) => {
-    const window = page.scene.window_of_frame[place];
+    const window = page.scene.windows_of_frames[place];
     profiles.showWindow(window);
     if (player && !player.playing) showCommands(page, player.look, window);
   };
   player = new Player(page, follow);
-  const update = () => showCommands(page, player.look, page.scene.window_of_frame[player.place]);
+  const update = () => showCommands(page, player.look, page.scene.windows_of_frames[player.place]);
   for (const id of ["quantity", "chains", "network", "play"]) byId(id).addEventListener(id === "play" ? "click" : "change", update);
   update();
   return player;
@@ -29,10 +29,12 @@ async function start() {
   const profiles = new Profiles(page);
   showAudit(page);
   showParameters(page);
-  showCommands(page, null, 0);
+  showCommands(page, null, null);
   showLosses(page);
+  const report = { page, profiles, player: null };
+  globalThis.mikromakroReport = report;  // for tests, and for the curious
   try {
-    globalThis.mikromakroReport = { page, profiles, player: await startScene(page, profiles) };
+    report.player = await startScene(page, profiles);
     document.documentElement.dataset.ready = "scene";
   } catch (error) {
     tell(error instanceof TooOld ? error.message : `The scene cannot be shown: ${error.message}`);

@@ -17,13 +17,13 @@ function prefixOf(size, unit) {
   return PREFIXES.find(([, factor]) => Math.abs(size) >= factor * 0.9999999) || plain;
 }
 
-// A quantised number: as many digits as the step leaves, six at most.
+// A quantised number: the last digit shown is no smaller than the step; six digits at most.
 function withUnit(value, unit, step) {
   if (Number.isNaN(value)) return "not known";
   if (step === 1 && unit === "") return String(value);
   const small = Math.abs(value) < step / 2 ? 0 : value;
   const [prefix, factor] = prefixOf(Math.max(Math.abs(small), step), unit);
-  const digits = Math.min(6, Math.max(1, Math.floor(Math.log10(Math.abs(small) / step)) + 1));
+  const digits = Math.min(6, Math.max(1, Math.floor(Math.log10(Math.abs(small))) - Math.ceil(Math.log10(step)) + 1));
   const text = small === 0 ? "0" : String(Number((small / factor).toPrecision(digits)));
   return unit === "" ? text : `${text} ${prefix}${unit}`;
 }

@@ -25,8 +25,8 @@ function contactsOf(frame, i) {
 function discNumbers(page, frame, i) {
   const numbers = page.scene.disc_columns.map((column) => [column.name, withUnit(valueOf(column, frame.discs[column.name][i]), column.unit, column.step)]);
   if ("vx" in frame.discs && "vy" in frame.discs) {
-    const { step } = columnOf(page.scene.disc_columns, "vx");
-    numbers.push(["speed", withUnit(quantityOf(page, frame, "velocity")(i), "m/s", step)]);
+    const steps = ["vx", "vy"].map((name) => columnOf(page.scene.disc_columns, name).step);
+    numbers.push(["speed", withUnit(quantityOf(page, frame, "velocity")(i), "m/s", Math.hypot(...steps))]);
   }
   return numbers;
 }

@@ -3,7 +3,7 @@
 
 function showSummary(page) {
   const { frames } = page.scene;
-  const [first, last] = [page.windows[0].first, page.windows.at(-1).last];
+  const { first, last } = page.all;
   const largest = (name) => Math.max(...frames.map((frame) => frame[name]));
   const when = first.time === null ? "" : `, t = ${Number(first.time.toPrecision(6))} to ${Number(last.time.toPrecision(6))} s`;
   const shown = frames.length === page.all.frames ? "" : `, of which ${frames.length} are shown`;
@@ -45,10 +45,11 @@ function drawCommand(page, look) {
 
 function showCommands(page, look, window) {
   const { average, audit, frames, report } = page.commands;
-  const { first, last } = page.windows[window];
+  const of = window === null ? null : page.windows[window];
   const lines = [
     ...(look === null ? [] : [["The frame shown above", drawCommand(page, look)]]),
-    ["The averages of its window", `${average}${framesOption(page, first.index, last.index)} --out window.csv`],
+    ...(of === null ? [] : [["The averages of its window", `${average}${framesOption(page, of.first.index, of.last.index)} --out window.csv`]]),
+    ...(page.windows.length === 0 ? [] : [["The averages in time", `${average}${frames} --every ${page.every} --out windows.csv`]]),
     ["The averages of all frames", `${average}${frames} --out averages.csv`],
     ...(page.audit.impossible ? [] : [["The audit", audit]]),
     ["This page", report],
