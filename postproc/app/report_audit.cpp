@@ -76,8 +76,7 @@ Json audit_json(AuditOptions options) {
     const FrameSource source = auditor->source();
     read_frames(source, options, [&](const Frame& frame) { return auditor->add(frame, *source.notes); });
     Json list = Json::array();
-    for (const Balance& one : auditor->balances())
-      list.push_back(balance_json(one, !std::isnan(options.kn)));
+    for (const Balance& one : auditor->balances()) list.push_back(balance_json(one, !std::isnan(options.kn)));
     return {{"balances", list}};
   } catch (const Error& error) {
     if (error.kind() == Error::Kind::steps_come_again) throw;

@@ -53,7 +53,7 @@ const CONTACT_HEADS = { angle: "at", overlap: "overlap", normal_force: "f_n", ta
 
 function showPicked(page, frame, id, pick) {
   const place = byId("picked");
-  if (id === null) return place.replaceChildren(element("p", {}, "No disc is picked."));
+  if (id === null) return place.replaceChildren(element("p", {}, "No disc is selected."));
   const i = frame.ids.indexOf(id);
   if (i < 0) return place.replaceChildren(element("p", {}, `Disc ${id} is not in this frame.`));
   const contacts = contactsOf(frame, i);

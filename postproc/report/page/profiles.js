@@ -67,7 +67,7 @@ class Profiles {
     const all = `all ${this.page.all.frames} frames`;
     const whole = this.of(this.page.all);
     const without = [...(windowed && !known(this.now) ? ["the window"] : []), ...(known(whole) ? [] : [all])];
-    const bands = without.length === 0 ? "Bands: standard errors." : `No standard errors of ${without.join(" or ")}: too few frames, or too much alike.`;
+    const bands = without.length === 0 ? "Bands: standard errors." : `No standard errors of ${without.join(" or ")}: too few independent frames.`;
     const curves = windowed ? `Solid: frames ${this.windowText(this.page.windows[this.window])}. Dashed: ${all}.` : `Mean of ${all}.`;
     return `${curves} ${bands}`;
   }

@@ -16,8 +16,8 @@ function showAudit(page) {
   const { balances, impossible } = page.audit;
   if (impossible) return byId("audit").replaceChildren(element("p", {}, `No balance could be checked: ${impossible}`));
   const rows = balances.map(({ question, answer, judged, text }) => [question, judged || answer === "not known" ? answer : `${answer} (not judged)`, text]);
-  const table = fillTable(element("table", { class: "words" }), ["question", "answer", "what was compared"], rows);
-  return byId("audit").replaceChildren(element("p", {}, "Averages and contacts are set beside laws that hold whatever the contact law, over all frames:"), table);
+  const table = fillTable(element("table", { class: "words" }), ["question", "answer", "definition"], rows);
+  return byId("audit").replaceChildren(element("p", {}, "Balances that hold for any contact law, evaluated over all frames:"), table);
 }
 
 function splitAt(text, mark) {
@@ -64,6 +64,6 @@ function showLosses(page) {
     .map(([of, { name, unit, step }]) => [of, name.replace("_", " "), coarse(step, unit), `\u00b1 ${coarse(step / 2, unit)}`]);
   const thinned = stride > 1 ? [element("p", {}, `The scene has every ${stride}th frame; averages and audit are of all.`)] : [];
   byId("losses").replaceChildren(...thinned,
-    element("p", {}, "Numbers of discs and contacts are rounded to steps, given below; numbers of a picked disc are shown to that. Averages are made from the unrounded numbers and shown to six digits. Masses, mass densities and further columns of the files are not in the page."),
-    fillTable(element("table", { class: "words" }), ["of", "quantity", "step", "error at most"], rows));
+    element("p", {}, "The values of discs and contacts are rounded to the steps below, and shown only to that resolution. Averages are computed from the unrounded values and given to six digits. Masses and further columns of the files are not on this page."),
+    fillTable(element("table", { class: "words" }), ["of", "quantity", "step", "largest error"], rows));
 }
