@@ -83,7 +83,7 @@ Json SceneRanges::quantities() const {
     const QuantityInfo& info = disc_quantity(std::string(names[i]));
     const Limits& limits = scales_[i].colours;
     const bool of_contacts = info.contacts_needed != 0;
-    if (limits.empty() || !std::isfinite(limits.low + limits.high) ||
+    if (limits.empty() || !std::isfinite(scales_[i].values.low + scales_[i].values.high) ||
         (of_contacts && scales_[i].contacts == 0))
       continue;
     list.push_back({{"name", info.name},
