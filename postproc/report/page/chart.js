@@ -11,7 +11,7 @@ function finite(values) {
 function scaleOf(values, pixels, logarithm) {
   const usable = finite(values).filter((value) => !logarithm || value > 0).map((value) => (logarithm ? Math.log10(value) : value));
   let [low, high] = usable.length > 0 ? [Math.min(...usable), Math.max(...usable)] : [0, 1];
-  const room = high > low ? 0.05 * (high - low) : Math.max(0.5 * Math.abs(low), logarithm ? 0.5 : 1e-12);
+  const room = high > low ? 0.05 * (high - low) : 0.5 * Math.abs(low) || 1;
   [low, high] = [low - room, high + room];
   const place = (value) => {
     if (value === null || !Number.isFinite(value) || (logarithm && value <= 0)) return null;
