@@ -16,10 +16,6 @@
 namespace mikromakro {
 namespace {
 
-bool of_rings(const VolumeOptions& volumes) {
-  return !volumes.rings.empty() || !volumes.edges.empty();
-}
-
 void check_in_one_list(const AuditOptions& options) {
   const std::vector<int>& bulk = options.volumes.bulk_types;
   for (const int type : options.wheel_types)
@@ -36,7 +32,12 @@ void check_wheel_is_no_bulk(const AuditOptions& options) {
                     "--bulk-types as well, without those of the wheel", "none");
 }
 
-// Completes the options from the files, and checks that what they refer to exists.
+}  // namespace
+
+bool of_rings(const VolumeOptions& volumes) {
+  return !volumes.rings.empty() || !volumes.edges.empty();
+}
+
 void complete(AuditOptions& options) {
   check_windows(options.windows);
   check_in_one_list(options);
@@ -57,8 +58,6 @@ void complete(AuditOptions& options) {
   if (of_rings(volumes)) check_wheel_is_no_bulk(options);
   tell(*source.notes);
 }
-
-}  // namespace
 
 void add_audit_command(CLI::App& program) {
   CLI::App* app =

@@ -9,6 +9,12 @@
 
 namespace mikromakro {
 
+/// Whether the volumes are rings.
+bool of_rings(const VolumeOptions& volumes);
+
+/// Completes the options from the files, and checks that what they refer to exists.
+void complete(AuditOptions& options);
+
 /// The sums of one audit.
 class Auditor {
  public:

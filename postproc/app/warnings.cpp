@@ -4,10 +4,14 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <set>
 
 namespace mikromakro {
 
+// Commands that read their input more than once find the same each time.
 void tell(const std::string& warning) {
+  static std::set<std::string> told;
+  if (!told.insert(warning).second) return;
   fmt::print(stderr, "mikromakro: warning: {}\n", warning);
 }
 

@@ -9,7 +9,7 @@
 
 namespace mikromakro {
 
-/// Prints one line 'mikromakro: warning: ...' on stderr per note.
+/// Prints one line 'mikromakro: warning: ...' on stderr per note, each text once.
 void tell(const Notes& notes);
 
 /// Prints such a line.
