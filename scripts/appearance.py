@@ -6,7 +6,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-# Contacts that push and that pull, and what is wall (postproc/drawing/colour.h).
+# Contacts that push and that pull, and what is wall (postproc/drawing/picture.cpp; tests/house/check_colours).
 COMPRESSION, TENSION, WALL = "#0d0d0d", "#d61a1c", "#9e9e9e"
 MARKERS = "osD^v<>pXP*h"
 plt.rcParams.update({"font.size": 10, "axes.grid": True, "grid.alpha": 0.3, "figure.constrained_layout.use": True, "legend.fontsize": 8})
