@@ -45,9 +45,12 @@ add_custom_target(option_pages ALL DEPENDS ${pages} ${completion})
 install(DIRECTORY ${CMAKE_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 FILES_MATCHING PATTERN "*.1")
 install(FILES ${completion} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 
-# Scenes, and the scripts that report on them.
+# Scenes, sweeps over them, and the scripts that report on them.
 install(DIRECTORY inputs DESTINATION ${CMAKE_INSTALL_DATADIR}/mikromakro)
-install(PROGRAMS scripts/couette_report scripts/biaxial_report scripts/compare_rings DESTINATION ${CMAKE_INSTALL_DATADIR}/mikromakro/scripts)
+set(scripts ${CMAKE_INSTALL_DATADIR}/mikromakro/scripts)
+install(PROGRAMS scripts/sweep scripts/couette_report scripts/biaxial_report scripts/compare_rings DESTINATION ${scripts})
+install(FILES scripts/appearance.py scripts/student_t.py DESTINATION ${scripts})
+install(DIRECTORY scripts/sweeping DESTINATION ${scripts} FILES_MATCHING PATTERN "*.py")
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.bib")
 install(FILES README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -179,7 +179,8 @@ Preamble preamble_of(const CompareOptions& options, const Task& task, const Aver
 
 std::string differences(const Comparison& comparison) {
   const std::string resolutions = differences_of_resolutions(comparison);
-  return differences_of_weights(comparison) + (resolutions.empty() ? "" : "\n" + resolutions);
+  return differences_of_weights(comparison) + (resolutions.empty() ? "" : "\n" + resolutions) + "\n" +
+         summary_of(comparison);
 }
 
 void report(const CompareOptions& options, const Task& task, const Averaged& averaged) {

@@ -29,17 +29,17 @@ Widths widths_of(const Comparison& comparison) {
   return widths;
 }
 
-// Columns after the coordinates, indexed from the end.
+std::string relative(double difference, double rms) {
+  return fmt::format("{:>11.3e}", difference / rms);
+}
+
+}  // namespace
+
 Eigen::ArrayXd column_of(const Comparison& comparison, const Rows& rows, std::size_t column) {
   const std::size_t from_end = comparison.columns.size() - column;
   return rows.col(rows.cols() - static_cast<Eigen::Index>(from_end));
 }
 
-std::string relative(double difference, double rms) {
-  return fmt::format("{:>11.3e}", difference / rms);
-}
-
-// Indices of the resolutions, coarse to fine.
 std::vector<std::size_t> ascending(const std::vector<int>& resolutions) {
   std::vector<std::size_t> order(resolutions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -47,8 +47,6 @@ std::vector<std::size_t> ascending(const std::vector<int>& resolutions) {
             [&](std::size_t a, std::size_t b) { return resolutions[a] < resolutions[b]; });
   return order;
 }
-
-}  // namespace
 
 std::string differences_of_weights(const Comparison& comparison) {
   const Widths widths = widths_of(comparison);

@@ -43,11 +43,16 @@ void add_fit_command(CLI::App& program) {
   CLI::Option* range = app->add_option("--range", options->range, "R1 R2: rings with R1 <= r <= R2 only (m)")
                            ->expected(2)
                            ->allow_extra_args(false);
+  app->add_flag(
+         "--without-tail", options->without_tail,
+         "rings up to where log v bends into a slower decay, the creeping tail; says where, and s with "
+         "the tail")
+      ->excludes(range);
   app->add_option("--ri", options->ri, "R_i (m), default r_inner of the first ring")->check(positive());
   app->add_option("--omega", options->omega, "rate of rotation of the wheel (rad/s), for v0/(Omega R_i)");
   app->add_flag("--json", options->json, "print JSON");
   app->callback([=] {
-    options->said = {range->count() > 0, weights->count() + log->count() > 0};
+    options->said = {range->count() > 0 || options->without_tail, weights->count() + log->count() > 0};
     fit_files(*options);
   });
 }

@@ -129,6 +129,33 @@ Json choices_json(const std::vector<FitChoice>& choices) {
   return json;
 }
 
+Json tail_json(const FitReport& report) {
+  Json json = Json::object();
+  json["found"] = report.tail->found;
+  json["rings"] = static_cast<std::int64_t>(report.tail->rings);
+  json["s"] = report.tail->found ? report.tail->s : std::nan("");
+  json["evidence"] = report.tail->evidence;
+  json["s_of_all_rings"] = report.s_of_all;
+  return json;
+}
+
+void print_tail(const FitReport& report) {
+  const CreepingTail& tail = *report.tail;
+  if (!tail.found) {
+    fmt::print(
+        "tail: none, one line through log {} does as well as two (BIC {:.3g} less): all rings are used\n",
+        report.column, -tail.evidence);
+    return;
+  }
+  fmt::print("tail: {} rings from behind r = {:.6g} m on are left out", tail.rings, tail.last_r);
+  if (tail.evidence > 0)
+    fmt::print(", where log {} bends (two lines, BIC {:.3g} less than of one; s behind = {:.3g} m)",
+               report.column, tail.evidence, tail.s);
+  if (tail.sign_from > 0) fmt::print(", {} of them since one moves the other way", tail.sign_from);
+  fmt::print("; {}\n", std::isnan(report.s_of_all) ? "with them there is no fit"
+                                                   : fmt::format("with them s = {:.6g} m", report.s_of_all));
+}
+
 std::string of_what(const FitReport& report) {
   return fmt::format("{}{}{}", report.way.of == FitOf::v ? "" : "log ", report.column,
                      report.way.by_errors ? ", weights by errors" : "");
@@ -146,6 +173,7 @@ void print_json(const FitReport& report) {
   json["range"] = std::vector<double>{report.first_r, report.last_r};
   json["residual_rms"] = report.fitted.residual_rms;
   json["residuals_over_errors"] = report.residuals_over_errors;
+  if (report.tail) json["tail"] = tail_json(report);
   json["errors"] = errors_json(report.errors);
   json["choices"] = choices_json(report.choices);
   fmt::print("{}\n", text_of(json));
@@ -160,6 +188,7 @@ void print_text(const FitReport& report) {
   const bool rough = !std::isnan(report.errors.error[0]) && std::isnan(report.errors.freedom);
   for (const Estimate& one : all)
     if (!std::isnan(one.value)) print_line(one, rough, chosen);
+  if (report.tail) print_tail(report);
   print_errors(report.errors);
   if (chosen) print_choices(report, all);
   fmt::print("rms of the residuals = {:.6g} {}", report.fitted.residual_rms,

@@ -2,9 +2,11 @@
 // Output of a profile fit.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "fit/creeping_tail.h"
 #include "fit/fit_choices.h"
 #include "fit/fit_errors.h"
 
@@ -21,6 +23,8 @@ struct FitReport {
   FitErrors errors;
   double residuals_over_errors = 0;  ///< rms; nan if rings have no errors
   std::vector<FitChoice> choices;
+  std::optional<CreepingTail> tail;  ///< with --without-tail
+  double s_of_all = 0;               ///< s of the same fit with the tail; nan: no fit
   std::vector<std::string> warnings;
 };
 

@@ -177,6 +177,22 @@ FitErrors errors_of(const FitOptions& options, const CsvTable& table, const Ring
   return none;
 }
 
+// s of the same fit to all rings.
+double s_with_tail(const RingProfile& profile, double r_i, FitWay way) {
+  way.to = std::numeric_limits<double>::infinity();
+  try {
+    return fit_exponential(profile, r_i, way).s;
+  } catch (const Error&) {
+    return std::nan("");
+  }
+}
+
+void leave_tail_out(const RingProfile& profile, FitReport& report) {
+  report.tail = creeping_tail(profile);
+  report.s_of_all = s_with_tail(profile, report.r_i, report.way);
+  if (report.tail->found) report.way.to = report.tail->last_r;
+}
+
 double residuals_over_errors(const RingProfile& profile, const FitReport& report) {
   if (profile.error.size() == 0) return std::nan("");
   const ExponentialProfile& fitted = report.fitted;
@@ -213,6 +229,7 @@ FitReport fit_tables(const std::vector<CsvTable>& tables, const FitOptions& opti
   report.column = options.column;
   report.way = way_of(options);
   take_wheel(options, table, report);
+  if (options.without_tail) leave_tail_out(profile, report);
   report.fitted = fit_exponential(profile, report.r_i, report.way);
   if (report.fitted.v0 * report.scale < 0)
     report.warnings.push_back(

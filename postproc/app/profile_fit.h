@@ -17,7 +17,7 @@ struct FitOptions {
   std::vector<double> range;
   double ri = std::nan("");
   double omega = std::nan("");
-  bool log = false, json = false;
+  bool log = false, json = false, without_tail = false;
   FitSaid said;
 };
 

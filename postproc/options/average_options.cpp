@@ -24,6 +24,7 @@ BlockErrors add_errors(const Averager& averager, const TimeAverage& sums, Table&
 void add_average_options(CLI::App& app, AverageOptions& options) {
   add_volume_options(app, options.volumes);
   add_weight_option(app, options.volumes);
+  add_components_option(app, options.volumes);
   add_field_options(app, options.fields);
   app.add_option("--error-blocks", options.error_blocks,
                  "blocks of frames that are kept for standard errors, default 64, or up to 1024 where they "

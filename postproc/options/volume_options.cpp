@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "averaging/volumes/cartesian_components.h"
 #include "averaging/volumes/grid_volumes.h"
 #include "averaging/volumes/ring_volumes.h"
 #include "averaging/volumes/sector_volumes.h"
@@ -54,7 +55,7 @@ std::unique_ptr<const Volumes> box_of(const VolumeOptions& options) {
                                              thickness(options));
 }
 
-// Exactly one kind of volume, and sectors only with rings.
+// Exactly one kind of volume, sectors and polar components only with rings.
 void check_choice(const VolumeOptions& options) {
   std::vector<std::string_view> given;
   if (!options.rings.empty()) given.emplace_back("--rings");
@@ -67,18 +68,29 @@ void check_choice(const VolumeOptions& options) {
   const bool rectangles = !options.grid.empty() || !options.box.empty();
   if (options.sectors > 0 && rectangles)
     throw bad_input({"--sectors"}, "only rings have sectors", "--rings or --edges", std::string(given[0]));
+  if (!options.components.empty() && options.components != "polar" && options.components != "cartesian")
+    throw bad_input({"--components"}, "unknown components", "polar or cartesian",
+                    in_quotes(options.components));
+  if (options.components == "polar" && rectangles)
+    throw bad_input({"--components"}, "only rings have polar components", "--rings or --edges, or cartesian",
+                    std::string(given[0]));
   if (!options.center.empty() && rectangles)
     throw bad_input({"--center"}, "only rings have a centre", "--rings or --edges", std::string(given[0]));
 }
 
-std::unique_ptr<const Volumes> volumes_of(const VolumeOptions& options) {
-  if (!options.grid.empty()) return grid_of(options);
-  if (!options.box.empty()) return box_of(options);
+std::unique_ptr<const Volumes> polar_volumes_of(const VolumeOptions& options) {
   auto rings =
       std::make_unique<const RingVolumes>(ring_centre(options), ring_edges(options), thickness(options));
   if (options.sectors == 0) return rings;
   check_total(static_cast<double>(rings->count()) * options.sectors, "--sectors");
   return std::make_unique<const SectorVolumes>(std::move(rings), options.sectors);
+}
+
+std::unique_ptr<const Volumes> volumes_of(const VolumeOptions& options) {
+  if (!options.grid.empty()) return grid_of(options);
+  if (!options.box.empty()) return box_of(options);
+  if (options.components != "cartesian") return polar_volumes_of(options);
+  return std::make_unique<const CartesianComponents>(polar_volumes_of(options));
 }
 
 // Overall length of all volumes.
@@ -137,6 +149,12 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
   app.option_defaults()->group("Options");
 }
 
+void add_components_option(CLI::App& app, VolumeOptions& options) {
+  app.add_option("--components", options.components,
+                 "of vectors and tensors: polar (default for rings and sectors) or cartesian (mean of the "
+                 "Cartesian components, not the mean polar ones rotated)");
+}
+
 void add_weight_option(CLI::App& app, VolumeOptions& options, const std::string& choice) {
   app.add_option("--weight", options.weight,
                  choice.empty()
@@ -185,7 +203,8 @@ std::string_view volume_option(const VolumeOptions& options) {
 }
 
 bool are_rings(const VolumeOptions& options) {
-  return options.grid.empty() && options.box.empty() && options.sectors == 0;
+  return options.grid.empty() && options.box.empty() && options.sectors == 0 &&
+         options.components != "cartesian";
 }
 
 std::vector<double> ring_edges(const VolumeOptions& options) {
@@ -228,6 +247,7 @@ void describe_volumes(const VolumeOptions& options, Preamble& lines, bool with_w
   add("edges", options.edges, ",");
   add("grid", options.grid, " ");
   add("box", options.box, " ");
+  if (options.components == "cartesian") lines.emplace_back("components", options.components);
   if (options.sectors > 0) lines.emplace_back("sectors", fmt::format("{}", options.sectors));
   if (options.grid.empty() && options.box.empty()) {
     const Eigen::Vector2d centre = ring_centre(options);
