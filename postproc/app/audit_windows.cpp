@@ -31,7 +31,12 @@ class WindowAudits {
     if (rule_.moving || open_.empty()) open_.push_back(make_(options_));
     bool covered = false;
     for (const auto& audit : open_) covered = audit->add(frame, notes);
-    windows_.add({frame.index, frame.step, frame.run, frame.time, {}, {}});
+    FrameSums counted;  // the audits keep the sums
+    counted.index = frame.index;
+    counted.step = frame.step;
+    counted.run = frame.run;
+    counted.time = frame.time;
+    windows_.add(counted);
     return covered;
   }
 
