@@ -105,6 +105,17 @@ with tempfile.TemporaryDirectory() as folder:
         assert numpy.array_equal(file["VTKHDF/CellData/v"][::180, :2], table[["v_x", "v_y"]], equal_nan=True)
         assert numpy.array_equal(file["VTKHDF/CellData/sigma"][::180, [0, 1, 3, 4]], table[[f"sigma_{c}" for c in ("xx", "xy", "yx", "yy")]], equal_nan=True)
 
+    # Windows: vectors and tensors of each frame, one after the other.
+    windows = [program, "average", *dumps, "--rings", "0", "4", "2", "--bulk-types", "1", "--quiet"]
+    subprocess.run([*windows, "--per-frame", "--out", f"{folder}/w.vtkhdf"], check=True)
+    for frame in (0, 1):
+        subprocess.run([*windows, "--frames", f"{frame}:{frame}", "--out", names[2]], check=True)
+        with h5py.File(f"{folder}/w.vtkhdf") as series, h5py.File(names[2]) as single:
+            for name in ("v", "sigma", "kappa"):
+                begin = series[f"VTKHDF/Steps/CellDataOffsets/{name}"][frame]
+                own = single[f"VTKHDF/CellData/{name}"][:]
+                assert begin == 360 * frame and numpy.array_equal(series[f"VTKHDF/CellData/{name}"][begin : begin + 360], own, equal_nan=True), name
+
     polygons, nu = cells(["--grid", "-1", "2", "3", "-2", "0", "4"])
     table = pandas.read_csv(names[0], comment="#", float_precision="round_trip")
     assert len(polygons) == 12 and numpy.array_equal(nu, table["nu"])
