@@ -15,7 +15,7 @@ using enum ContactColumn;
 using Eigen::Vector2d;
 
 /// Tangential forces below this part of the normal ones are rounding.
-constexpr double rounding = 1e-6;
+constexpr double rounding = 1e-5;
 
 double tangential_force(const Contact& contact) {
   return contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x()));

@@ -149,7 +149,9 @@ TEST(DashpotRate, OfALatticeIsThreeAndTwelveTimesThatOfAPair) {
         contacts.push_back({k, j, true, x, y, radius, radius, gamma_n, gamma_t});
       }
     const DampedDisc disc{1 / mass, 2 / (mass * radius * radius)};
-    return largest_dashpot_rate(contacts, std::vector<DampedDisc>(side * side, disc));
+    const std::vector<DampedDisc> discs(side * side, disc);
+    EXPECT_LE(largest_dashpot_rate(contacts, discs), bound_of_dashpot_rate(contacts, discs));
+    return largest_dashpot_rate(contacts, discs);
   };
   // The power method has 40 steps.
   EXPECT_NEAR(rate(1, 0), 3 / m12, 1e-5);
@@ -169,6 +171,8 @@ TEST(DashpotRate, OfAPairIsThatOfItsReducedMass) {
   EXPECT_NEAR(rate(-1, 2, 0), normal_dashpot_rate(2, mass), 1e-12);
   EXPECT_NEAR(rate(-1, 0, 2), tangential_dashpot_rate(2, mass), 1e-12);
   EXPECT_EQ(rate(1, 0, 0), 0);
+  const std::vector<DashpotContact> pair = {{0, 1, true, 0.6, 0.8, radius, radius, 2, 0}};
+  EXPECT_NEAR(bound_of_dashpot_rate(pair, {disc, disc}), normal_dashpot_rate(2, m12), 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(Velocities, DashpotLimit, testing::Values(false, true),

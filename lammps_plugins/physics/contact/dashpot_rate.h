@@ -51,6 +51,25 @@ inline std::vector<DampedMotion> dashpot_forces(const std::vector<DashpotContact
   return forces;
 }
 
+/// No eigenvalue of M^-1 D is larger [1/s]: by (a - b)^2 <= 2 (a^2 + b^2) for the approach and the same of
+/// four terms, slips and spins, for the tangent, it is the largest sum over the contacts of a disc of 2
+/// gamma_n/m + 4 gamma_t (1/m + arm^2/I).
+inline double bound_of_dashpot_rate(const std::vector<DashpotContact>& contacts,
+                                    const std::vector<DampedDisc>& discs) {
+  std::vector<double> sums(discs.size());
+  const auto take = [&](int i, double arm, const DashpotContact& c) {
+    sums[i] += 2 * c.gamma_n * discs[i].inverse_mass +
+               4 * c.gamma_t * (discs[i].inverse_mass + arm * arm * discs[i].inverse_inertia);
+  };
+  for (const DashpotContact& c : contacts) {
+    take(c.i, c.arm_i, c);
+    if (c.j >= 0 && c.acts_on_j) take(c.j, c.arm_j, c);
+  }
+  double largest = 0;
+  for (const double sum : sums) largest = sum > largest ? sum : largest;
+  return largest;
+}
+
 /// Largest eigenvalue of M^-1 D [1/s], by 40 steps of the power method from a fixed start: from below, the
 /// error of the Rayleigh quotient u.D.u/u.M.u being that of the mode squared. 0 without dashpots.
 inline double largest_dashpot_rate(const std::vector<DashpotContact>& contacts,

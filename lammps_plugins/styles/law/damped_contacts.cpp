@@ -2,7 +2,7 @@
 #include "law/damped_contacts.h"
 
 #include <cmath>
-#include <cstring>
+#include <string_view>
 #include <vector>
 
 #include "atom.h"
@@ -26,9 +26,9 @@ class DampedContacts {
   DampedContacts(LAMMPS& engine, const NeighList& list, const physics::Effects& effects,
                  const MaterialTable& materials)
       : atom_(*engine.atom), effects_(effects), materials_(materials), discs_(atom_.nlocal) {
-    const int integrated = integrated_groups(*engine.modify);
+    const MovingAtoms moving(*engine.modify);
     for (int i = 0; i < atom_.nlocal; ++i) {
-      if (!(atom_.mask[i] & integrated)) continue;
+      if (!moving.include(atom_.mask[i])) continue;
       const double a = atom_.radius[i];
       discs_[i] = {1 / atom_.rmass[i], 2 / (atom_.rmass[i] * a * a)};
     }
@@ -38,7 +38,10 @@ class DampedContacts {
     }
   }
 
-  double largest_rate() const { return physics::largest_dashpot_rate(contacts_, discs_); }
+  double largest_rate(double safe) const {
+    if (physics::bound_of_dashpot_rate(contacts_, discs_) < safe) return 0;
+    return physics::largest_dashpot_rate(contacts_, discs_);
+  }
 
  private:
   int owner_of(int j) const {
@@ -52,10 +55,10 @@ class DampedContacts {
     const double distance = std::hypot(x, y), overlap = atom_.radius[i] + atom_.radius[j] - distance;
     if (!(overlap > 0 && distance > 0)) return;
     const auto& p = materials_(atom_.type[i], atom_.type[j]);
-    contacts_.push_back({i, owner_of(j), j < atom_.nlocal, x / distance, y / distance,
-                         atom_.radius[i] - overlap / 2, atom_.radius[j] - overlap / 2,
-                         effects_.normal_dashpot ? p.normal_damping : 0,
-                         physics::has_dashpot(effects_.tangential) ? p.tangential_damping : 0});
+    contacts_.push_back(
+        {i, owner_of(j), j < atom_.nlocal, x / distance, y / distance, atom_.radius[i] - overlap / 2,
+         atom_.radius[j] - overlap / 2, effects_.normal_dashpot ? p.normal_damping : 0,
+         physics::has_dashpot(effects_.tangential) && p.friction > 0 ? p.tangential_damping : 0});
   }
 
   Atom& atom_;  // its map is not const
@@ -67,16 +70,19 @@ class DampedContacts {
 
 }  // namespace
 
-int integrated_groups(const Modify& modify) {
-  int bits = 0;
-  for (const Fix* fix : fixes(modify))
-    if (std::strncmp(fix->style, "nve", 3) == 0) bits |= fix->groupbit;
-  return bits;
+MovingAtoms::MovingAtoms(const Modify& modify) {
+  for (const Fix* fix : fixes(modify)) {
+    const std::string_view style = fix->style;
+    if (style == "freeze") frozen_ |= fix->groupbit;
+    if (style.starts_with("nve/noforce")) continue;
+    for (const char* integrates : {"nve", "nvt", "npt", "nph"})
+      if (style.starts_with(integrates)) integrated_ |= fix->groupbit;
+  }
 }
 
 double largest_dashpot_rate(LAMMPS& engine, const NeighList& list, const physics::Effects& effects,
-                            const MaterialTable& materials) {
-  return DampedContacts(engine, list, effects, materials).largest_rate();
+                            const MaterialTable& materials, double safe) {
+  return DampedContacts(engine, list, effects, materials).largest_rate(safe);
 }
 
 }  // namespace mikromakro::styles

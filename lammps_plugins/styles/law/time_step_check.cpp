@@ -59,13 +59,13 @@ void carry_walls(const Modify& modify, std::vector<double>& carried_radius) {
 }
 
 TypesAtHand types_at_hand(const Atom& atom, const Modify& modify, MPI_Comm world) {
-  const int integrated = integrated_groups(modify);
+  const MovingAtoms moving(modify);
   const std::vector<double> none(atom.ntypes, 0.0);
   TypesAtHand types{std::vector<double>(atom.ntypes, infinite), none, none, none};
   for (int i = 0; i < atom.nlocal; ++i) {
     const int t = atom.type[i] - 1;
     types.speed[t] = std::max(types.speed[t], std::hypot(atom.v[i][0], atom.v[i][1]));
-    if (atom.mask[i] & integrated) {
+    if (moving.include(atom.mask[i])) {
       types.mass[t] = std::min(types.mass[t], atom.rmass[i]);
     } else {
       types.carried_radius[t] = std::max(types.carried_radius[t], atom.radius[i]);
@@ -120,7 +120,7 @@ void take_dashpots(const physics::ContactParameters& p, const physics::Effects& 
   if (effects.normal_dashpot && p.normal_damping > 0)
     shortest.normal_dashpot =
         std::min(shortest.normal_dashpot, 1 / physics::normal_dashpot_rate(p.normal_damping, m12));
-  if (physics::has_dashpot(effects.tangential) && p.tangential_damping > 0)
+  if (physics::has_dashpot(effects.tangential) && p.tangential_damping > 0 && p.friction > 0)
     shortest.tangential_dashpot = std::min(shortest.tangential_dashpot,
                                            1 / physics::tangential_dashpot_rate(p.tangential_damping, m12));
 }
@@ -157,16 +157,22 @@ std::string above(const LAMMPS& engine, const std::string& style, double bound) 
   return style + ": time step " + text_of(engine.update->dt) + " s is above " + text_of(bound) + " s, ";
 }
 
-/// A pair whose dashpot slows it down in `time` is unstable by itself.
-void check_pair(LAMMPS& engine, const std::string& style, const std::string& constant, double time,
-                bool predicted) {
+/// A pair whose dashpots slow it down in these times is unstable by itself. Friction limits what that of
+/// gammat does: an error only of contacts that do not slide.
+void check_pair(LAMMPS& engine, const std::string& style, const ShortestTimes& times, bool predicted) {
   constexpr double accurate = 0.25;
-  const double stable = physics::stable_dashpot_step(1 / time, predicted);
-  if (engine.update->dt > stable)
-    engine.error->all(FLERR, (above(engine, style, stable) + "where the dashpot of " + constant +
-                              " is unstable; expected 'timestep " + text_of(accurate * time) +
-                              "' or less, or a smaller " + constant)
+  const double stable_n = physics::stable_dashpot_step(1 / times.normal_dashpot, predicted),
+               stable_t = physics::stable_dashpot_step(1 / times.tangential_dashpot, predicted);
+  if (engine.update->dt > stable_n)
+    engine.error->all(FLERR, (above(engine, style, stable_n) +
+                              "where the dashpot of gamman is unstable; expected 'timestep " +
+                              text_of(accurate * times.normal_dashpot) + "' or less, or a smaller gamman")
                                  .c_str());
+  if (engine.update->dt > stable_t)
+    warn(engine, above(engine, style, stable_t) +
+                     "where the dashpot of gammat is unstable: contacts that should come to rest chatter "
+                     "between the limits of friction; expected 'timestep " +
+                     text_of(accurate * times.tangential_dashpot) + "' or less, or a smaller gammat");
 }
 
 /// e_n of a pair, in m12/gamma_n. That of gammat matters only where discs do not slide.
@@ -178,18 +184,22 @@ void check_accuracy(LAMMPS& engine, const std::string& style, double time) {
                      text_of(accurate * time) + "' or less, or a smaller gamman");
 }
 
-/// Largest stable time step of the dashpots of all present contacts [s]; infinite where no packing of the
-/// discs at hand could have one that matters: a light disc among small ones has up to a few times the rate of
-/// a lattice. Collective.
-double stable_step_of_contacts(LAMMPS& engine, const NeighList& list, const TimeScales& law,
-                               const ShortestTimes& times) {
-  constexpr double safe = 0.25;
-  const double of_lattice = physics::normal_rate_of_lattice / times.normal_dashpot +
-                            physics::tangential_rate_of_lattice / times.tangential_dashpot;
-  if (engine.update->dt < safe * physics::stable_dashpot_step(of_lattice, law.predicted)) return infinite;
-  double rate = largest_dashpot_rate(engine, list, law.effects, law.materials);
-  MPI_Allreduce(MPI_IN_PLACE, &rate, 1, MPI_DOUBLE, MPI_MAX, engine.world);
-  return physics::stable_dashpot_step(rate, law.predicted);
+/// Of all present contacts [s].
+struct StableSteps {
+  double normal = infinite, all = infinite;  // of the dashpots of gamman, and of both
+};
+
+/// Infinite where a bound of their rates shows that they do not matter. Collective.
+StableSteps stable_steps_of_contacts(LAMMPS& engine, const NeighList& list, const TimeScales& law) {
+  constexpr double safe_part = 0.75;
+  const double safe = safe_part * physics::stable_dashpot_step(1, law.predicted) / engine.update->dt;
+  physics::Effects normal = law.effects;
+  normal.tangential = physics::Tangential::none;
+  double rates[] = {largest_dashpot_rate(engine, list, normal, law.materials, safe),
+                    largest_dashpot_rate(engine, list, law.effects, law.materials, safe)};
+  MPI_Allreduce(MPI_IN_PLACE, rates, 2, MPI_DOUBLE, MPI_MAX, engine.world);
+  return {physics::stable_dashpot_step(rates[0], law.predicted),
+          physics::stable_dashpot_step(rates[1], law.predicted)};
 }
 
 std::string smaller_step(double time_step) {
@@ -197,17 +207,17 @@ std::string smaller_step(double time_step) {
 }
 
 /// The present contacts together.
-void check_packing(LAMMPS& engine, const std::string& style, double stable) {
+void check_packing(LAMMPS& engine, const std::string& style, const StableSteps& stable) {
   constexpr double near = 0.75;
   const double dt = engine.update->dt;
-  if (dt > stable)
-    engine.error->all(FLERR, (above(engine, style, stable) +
+  if (dt > stable.normal)
+    engine.error->all(FLERR, (above(engine, style, stable.normal) +
                               "where the dashpots of the present contacts make the integration unstable" +
-                              smaller_step(near * stable))
+                              smaller_step(near * stable.normal))
                                  .c_str());
-  if (dt > near * stable * (1 + rounded))
-    warn(engine, above(engine, style, near * stable) + "near that of " + text_of(stable) +
-                     " s at which dashpots make the integration unstable" + smaller_step(near * stable));
+  if (dt > near * stable.all * (1 + rounded))
+    warn(engine, above(engine, style, near * stable.all) + "near that of " + text_of(stable.all) +
+                     " s at which dashpots make the integration unstable" + smaller_step(near * stable.all));
 }
 
 void check_contact(LAMMPS& engine, const std::string& style, double t_c) {
@@ -249,17 +259,16 @@ void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& s
     warn(engine, style +
                      ": nothing moves or touches yet, so the contact duration is unknown and the time step "
                      "is not checked; expected 'impact_velocity V' with the pair style");
-  check_pair(engine, style, "gamman", times.normal_dashpot, law.predicted);
-  check_pair(engine, style, "gammat", times.tangential_dashpot, law.predicted);
+  constexpr int minimisation = 2;
+  if (engine.update->whichflag == minimisation) return;
+  check_pair(engine, style, times, law.predicted);
   check_accuracy(engine, style, times.normal_dashpot);
-  check_packing(engine, style, stable_step_of_contacts(engine, list, law, times));
+  check_packing(engine, style, stable_steps_of_contacts(engine, list, law));
 }
 
 void check_time_step_of_run(LAMMPS& engine, const NeighList& list, const std::string& style,
                             const TimeScales& law) {
-  const auto at_hand = types_at_hand(*engine.atom, *engine.modify, engine.world);
-  const ShortestTimes times = times_of(engine, list, law, at_hand);
-  const double stable = stable_step_of_contacts(engine, list, law, times);
+  const double stable = stable_steps_of_contacts(engine, list, law).all;
   if (engine.update->dt > stable)
     warn(engine,
          above(engine, style, stable) +
