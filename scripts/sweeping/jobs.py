@@ -6,6 +6,7 @@ import json
 import math
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import threading
@@ -58,11 +59,11 @@ class Job:
     def is_done(self):
         return self.kept_record() == self.record()
 
-    def run(self, started):
+    def run(self, processes):
         """Runs it in a folder of its own, which takes its final name when all is there. A run that was killed begins anew."""
         shutil.rmtree(self.partial, ignore_errors=True)
         os.makedirs(self.partial)
-        call(self.command(self.partial), os.path.join(self.partial, "screen.txt"), started, pass_fds=self.held)
+        call(self.command(self.partial), os.path.join(self.partial, "screen.txt"), processes, pass_fds=self.held)
         self.complete(self.partial)
         with open(os.path.join(self.partial, "done.json"), "w") as file:
             json.dump(self.record(), file, indent=1)
@@ -81,12 +82,29 @@ class Failed(Exception):
     """A run that ended with an error."""
 
 
-def call(command, screen, started, **options):
-    """Runs a command with its output in the file `screen`; it ends where this process is killed."""
+class Processes:
+    """Commands under way. After stop() none begins, and none counts as done: engines end in good order when they are asked to."""
+
+    def __init__(self):
+        self.running, self.stopped = [], False
+
+    def stop(self):
+        self.stopped = True
+        for process, way in self.running:
+            process.send_signal(way)
+
+
+def call(command, screen, processes, **options):
+    """Runs a command with its output in the file `screen`. It is killed with this process, and does not begin where that is dead already; mpirun is asked to
+    end, for it has to end its ranks."""
+    way = signal.SIGTERM if command[0] == "mpirun" else signal.SIGKILL
+    tied = ["setpriv", "--pdeathsig", way.name[3:], "--", "sh", "-c", '[ "$PPID" = "$0" ] || exit 1; exec "$@"', str(os.getpid())]
     with open(screen, "w") as file:
-        process = subprocess.Popen(["setpriv", "--pdeathsig", "TERM", "--", *command], stdout=file, stderr=file, stdin=subprocess.DEVNULL, **options)
-        started(process)
-        if process.wait() != 0:
+        process = subprocess.Popen([*tied, *command], stdout=file, stderr=file, stdin=subprocess.DEVNULL, **options)
+        processes.running.append((process, way))
+        if processes.stopped:
+            process.send_signal(way)
+        if process.wait() != 0 or processes.stopped:
             raise Failed(f"{' '.join(command)} failed: {last_words(screen)}; all it said is in {screen}")
 
 
@@ -135,12 +153,12 @@ def make_sure(jobs, at_a_time):
     if not missing:
         return []
     progress = Progress(missing)
-    processes = []
+    processes = Processes()
 
     def run(one):
         progress.start(one)
         try:
-            one.run(processes.append)
+            one.run(processes)
         except BaseException:
             progress.end(one, "failed")
             raise
@@ -155,7 +173,6 @@ def make_sure(jobs, at_a_time):
                     progress.show()
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
-            for process in processes:
-                process.terminate()
+            processes.stop()
             raise
     return [future.exception() for future in futures if future.exception()]

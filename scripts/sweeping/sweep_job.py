@@ -45,14 +45,14 @@ class SweepJob(Job):
     def is_done(self):
         return super().is_done() and self.commands_done()
 
-    def run(self, started):
+    def run(self, processes):
         if not super().is_done():
-            super().run(started)
+            super().run(processes)
         record = os.path.join(self.folder, "commands.json")
         with contextlib.suppress(FileNotFoundError):
             os.remove(record)
         for number, command in enumerate(self.commands, 1):
-            call(["bash", "-e", "-o", "pipefail", "-c", command], os.path.join(self.folder, f"command_{number}.txt"), started, cwd=self.folder, pass_fds=self.held)
+            call(["bash", "-e", "-o", "pipefail", "-c", command], os.path.join(self.folder, f"command_{number}.txt"), processes, cwd=self.folder, pass_fds=self.held)
         with open(record, "w") as file:
             json.dump(self.commands, file, indent=1)
 
