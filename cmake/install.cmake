@@ -24,7 +24,7 @@ set_target_properties(mikromakro_physics PROPERTIES EXPORT_NAME physics)
 target_include_directories(mikromakro_postproc INTERFACE $<INSTALL_INTERFACE:${headers}>)
 target_include_directories(mikromakro_physics INTERFACE $<INSTALL_INTERFACE:${headers}>)
 install(TARGETS mikromakro_postproc mikromakro_physics EXPORT mikromakro-targets ARCHIVE)
-foreach(room model statistics joining fields io averaging fit audit drawing)
+foreach(room model statistics joining fields io averaging fit audit drawing report)
   install(DIRECTORY postproc/${room} DESTINATION ${headers} FILES_MATCHING PATTERN "*.h" PATTERN hdf5_calls.h EXCLUDE)
 endforeach()
 install(DIRECTORY lammps_plugins/physics DESTINATION ${headers} FILES_MATCHING PATTERN "*.h")
@@ -57,9 +57,12 @@ if(TARGET mikromakro_python)
     PATTERN __pycache__ EXCLUDE)
 endif()
 
-# Scenes, and the scripts that report on them.
+# Scenes, sweeps over them, and the scripts that report on them.
 install(DIRECTORY inputs DESTINATION ${CMAKE_INSTALL_DATADIR}/mikromakro)
-install(PROGRAMS scripts/couette_report scripts/biaxial_report scripts/compare_rings DESTINATION ${CMAKE_INSTALL_DATADIR}/mikromakro/scripts)
+set(scripts ${CMAKE_INSTALL_DATADIR}/mikromakro/scripts)
+install(PROGRAMS scripts/sweep scripts/couette_report scripts/biaxial_report scripts/compare_rings DESTINATION ${scripts})
+install(FILES scripts/appearance.py scripts/student_t.py DESTINATION ${scripts})
+install(DIRECTORY scripts/sweeping DESTINATION ${scripts} FILES_MATCHING PATTERN "*.py")
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.bib" REGEX "/examples/[a-z_]*\\.py$")
 install(FILES README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

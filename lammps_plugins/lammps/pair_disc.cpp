@@ -105,10 +105,9 @@ void PairDisc::warn_of_foreign_springs() const {
   if (!law_.effects().spring()) return;
   for (int k = 0; k < modify->nfix_restart_peratom; ++k) {
     if (std::string("NEIGH_HISTORY") != (modify->*member(StylesInRestart{}))[k]) continue;
-    print_line(
-        *lmp,
-        "WARNING: " + law_.style() +
-            ": the restart file holds springs of another law: they are left out, and springs begin at zero");
+    print_line(*lmp, "WARNING: " + law_.style() +
+                         ": the restart file holds springs of another law: they are discarded, and all "
+                         "springs start at zero");
   }
 }
 

@@ -54,7 +54,7 @@ void PairGranDisc::discard_foreign_springs() {
     }
     print_line(*DiscLaw::lmp, "WARNING: " + style() + ": the restart file holds springs of another law, " +
                                   text_of(numbers) +
-                                  " numbers each: they are left out, and springs begin at zero");
+                                  " numbers each: they are discarded, and all springs start at zero");
   }
 }
 

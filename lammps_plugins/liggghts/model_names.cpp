@@ -86,7 +86,7 @@ std::string fault_of(const Words& words) {
   for (const auto& [kind, name] : models_in(words)) {
     const Choice& choice = choices().at(kind);
     if (std::find(choice.names.begin(), choice.names.end(), name) == choice.names.end())
-      return kind + ": expected " + choice.text + " with a model of discs, got " +
+      return kind + ": expected " + choice.text + " with a disc model, got " +
              quoted_with_guess(name, choice.text);
   }
   return "";
@@ -117,9 +117,8 @@ LIGGGHTS::PairStyles::IGranularPairStyle* refuse_pair(LAMMPS* engine, LAMMPS_NS:
 LIGGGHTS::Walls::IGranularWall* refuse_wall(LAMMPS* engine, LAMMPS_NS::FixWallGran* /*parent*/,
                                             int64_t /*hash*/) {
   stop(*engine, "fix wall/gran",
-       "it has no walls for the models of discs; expected 'fix ID group wall/disc type T plane NX NY OFFSET' "
-       "or "
-       "'... circle X Y R inside/outside'");
+       "it has no walls for disc models; expected 'fix ID group wall/disc type T plane NX NY OFFSET' or '... "
+       "circle X Y R inside/outside'");
 }
 
 }  // namespace

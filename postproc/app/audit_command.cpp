@@ -16,7 +16,7 @@ void add_audit_command(CLI::App& program) {
   app->callback([options] {
     const AuditReport report = audit(*options);
     fmt::print("{}", options->json ? text_of(report.json) + "\n" : report.text);
-    check_bound(report.balances, options->bound);
+    check_bound(report, options->bound);
   });
 }
 

@@ -52,7 +52,7 @@ std::string complaint_of(const CLI::App& program, const CLI::ParseError& error) 
   const auto parsed = program.get_subcommands();
   if (parsed.empty()) return of_verb(program);
   const CLI::App& verb = *parsed.front();
-  return complaint(verb, error, fmt::format("what `mikromakro {} --help` lists", verb.get_name()));
+  return complaint(verb, error, fmt::format("options as listed by `mikromakro {} --help`", verb.get_name()));
 }
 
 }  // namespace mikromakro

@@ -14,6 +14,7 @@ void add_convert_command(CLI::App& program);
 void add_draw_command(CLI::App& program);
 void add_fit_command(CLI::App& program);
 void add_audit_command(CLI::App& program);
+void add_report_command(CLI::App& program);
 void add_timestep_command(CLI::App& program);
 
 }  // namespace mikromakro

@@ -3,18 +3,25 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iostream>
 #include <memory>
+#include <optional>
+#include <ostream>
 
 #include "app/commands.h"
 #include "app/comparison_report.h"
+#include "averaging/window_rows.h"
 #include "io/files/output_file.h"
+#include "io/files/spool.h"
 #include "model/error.h"
 #include "options/field_options.h"
 #include "options/plausible_options.h"
 #include "options/volume_options.h"
+#include "options/window_options.h"
 #include "verbs/averaging_run.h"
 #include "verbs/memory_need.h"
 #include "verbs/run_constants.h"
+#include "verbs/warnings.h"
 
 namespace mikromakro {
 namespace {
@@ -27,6 +34,7 @@ struct CompareOptions {
   std::vector<int> resolutions;
   std::string out;
   RunOptions run;
+  WindowOptions windows;
 };
 
 void add_options(CLI::App& app, CompareOptions& options) {
@@ -42,7 +50,9 @@ void add_options(CLI::App& app, CompareOptions& options) {
          "N1,N2,...: numbers of rings, or of columns of the grid (its rows in proportion); default that of "
          "--rings or --grid")
       ->delimiter(',');
-  app.add_option("--out", options.out, "FILE.csv: all averages, with weight and resolution in front");
+  app.add_option("--out", options.out,
+                 "FILE.csv: all averages, with weight and resolution as the first columns");
+  add_window_options(app, options.windows);
   add_run_options(app, options.run);
 }
 
@@ -84,13 +94,16 @@ void take_what_files_say(const CompareOptions& options, const FrameSource& files
 }
 
 MemoryNeed memory_need(const CompareOptions& options, const Task& task, const Ranks& ranks) {
-  MemoryNeed need{0, threads_of(options.run, ranks), 0};
+  const bool moving = options.windows.moving > 0;
+  MemoryNeed need{0, threads_of(options.run, ranks),
+                  moving ? static_cast<double>(options.windows.moving) : 0.0};
   for (const auto& averager : task.averagers)
     need.numbers += static_cast<double>(averager->volume_count() * averager->sum_count());
   return need;
 }
 
 Task task_of(const CompareOptions& options, const Ranks& ranks) {
+  check_windows(options.windows);
   check_list(options.weights, "--weights");
   check_list(options.resolutions, "--resolutions");
   if (options.weights.size() < 2 && options.resolutions.size() < 2)
@@ -164,13 +177,66 @@ Preamble preamble_of(const CompareOptions& options, const Task& task, const Aver
   return lines;
 }
 
+std::string differences(const Comparison& comparison) {
+  const std::string resolutions = differences_of_resolutions(comparison);
+  return differences_of_weights(comparison) + (resolutions.empty() ? "" : "\n" + resolutions) + "\n" +
+         summary_of(comparison);
+}
+
 void report(const CompareOptions& options, const Task& task, const Averaged& averaged) {
   const Comparison comparison = compare(options, task, averaged.sums.mean());
   if (task.out) task.out->commit(long_csv(preamble_of(options, task, averaged), comparison));
-  fmt::print("{}", differences_of_weights(comparison));
-  const std::string resolutions = differences_of_resolutions(comparison);
-  if (!resolutions.empty()) fmt::print("\n{}", resolutions);
+  fmt::print("{}", differences(comparison));
 }
+
+// Compares in each window, on rank 0; prints at the end.
+class WindowComparisons {
+ public:
+  WindowComparisons(const CompareOptions& options, const Task& task)
+      : options_(options),
+        task_(task),
+        windows_(rule_of(options.windows), 0, [this](const Window& window) { take(window); }) {
+    if (task.out) rows_.emplace();
+  }
+
+  void add(const FrameSums& frame) { windows_.add(frame); }
+
+  void finish(const Averaged& averaged) {
+    windows_.finish();
+    Notes notes;
+    check_windows(options_.windows, windows_, notes);
+    tell(notes);
+    differences_.copy_to(std::cout);
+    std::cout.flush();
+    if (!task_.out) return;
+    Preamble lines = preamble_of(options_, task_, averaged);
+    describe_windows(options_.windows, windows_.windows(), lines);
+    describe_notes(notes, lines);
+    const std::string head =
+        long_head(lines, compare(options_, task_, averaged.sums.mean()), window_columns(several_runs()));
+    task_.out->commit([&](std::ostream& stream) {
+      stream << head;
+      rows_->copy_to(stream);
+    });
+  }
+
+ private:
+  bool several_runs() const { return !task_.source.further_runs.empty(); }
+
+  void take(const Window& window) {
+    const Comparison comparison = compare(options_, task_, window.sums.mean());
+    const std::string of_run = several_runs() ? fmt::format(" of run {}", window.run + 1) : "";
+    differences_.add(fmt::format("steps {} to {}{}\n{}\n", window.first_step, window.last_step, of_run,
+                                 differences(comparison)));
+    if (rows_) rows_->add(long_rows(comparison, window_numbers(window, several_runs())));
+  }
+
+  const CompareOptions& options_;
+  const Task& task_;
+  Spool differences_;
+  std::optional<Spool> rows_;  // of the output file
+  Windows windows_;
+};
 
 void compare(const CompareOptions& options, const Ranks& ranks) {
   Task task;
@@ -178,13 +244,20 @@ void compare(const CompareOptions& options, const Ranks& ranks) {
   std::vector<VolumeOptions> weighted(options.weights.size(), task.volumes);
   for (std::size_t i = 0; i < weighted.size(); ++i) weighted[i].weight = options.weights[i];
   const SumFrame sum = [&](const Frame& frame) {
+    check_time(frame, task.source.files().front(), options.windows.time_step);
     for (const VolumeOptions& volumes : weighted) note_volumes(frame, volumes, *task.source.notes);
     return all_sums(task, frame);
   };
+  std::optional<WindowComparisons> windows;
+  TakeSums also;
+  if (options.windows.any() && ranks.first()) {
+    windows.emplace(options, task);
+    also = [&](const FrameSums& frame) { windows->add(frame); };
+  }
   const Averaged averaged =
-      average_frames(task.source, task.volumes, sum, TimeAverage(0), options.run, ranks);
+      average_frames(task.source, task.volumes, sum, TimeAverage(0), options.run, ranks, also);
   ranks.agree([&] {
-    if (ranks.first()) report(options, task, averaged);
+    if (ranks.first()) windows ? windows->finish(averaged) : report(options, task, averaged);
   });
 }
 

@@ -29,17 +29,17 @@ Widths widths_of(const Comparison& comparison) {
   return widths;
 }
 
-// Columns after the coordinates, indexed from the end.
+std::string relative(double difference, double rms) {
+  return fmt::format("{:>11.3e}", difference / rms);
+}
+
+}  // namespace
+
 Eigen::ArrayXd column_of(const Comparison& comparison, const Rows& rows, std::size_t column) {
   const std::size_t from_end = comparison.columns.size() - column;
   return rows.col(rows.cols() - static_cast<Eigen::Index>(from_end));
 }
 
-std::string relative(double difference, double rms) {
-  return fmt::format("{:>11.3e}", difference / rms);
-}
-
-// Indices of the resolutions, coarse to fine.
 std::vector<std::size_t> ascending(const std::vector<int>& resolutions) {
   std::vector<std::size_t> order(resolutions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -47,8 +47,6 @@ std::vector<std::size_t> ascending(const std::vector<int>& resolutions) {
             [&](std::size_t a, std::size_t b) { return resolutions[a] < resolutions[b]; });
   return order;
 }
-
-}  // namespace
 
 std::string differences_of_weights(const Comparison& comparison) {
   const Widths widths = widths_of(comparison);
@@ -110,21 +108,32 @@ std::string differences_of_resolutions(const Comparison& comparison) {
          lines;
 }
 
-std::string long_csv(const Preamble& preamble, const Comparison& comparison) {
+std::string long_head(const Preamble& preamble, const Comparison& comparison,
+                      const std::vector<Column>& leading) {
   Table head;
-  head.columns = {{"weight", "-", "-", "how discs count"},
-                  {"resolution", "1", "-", "number of rings, or of columns of rectangles"}};
+  head.columns = leading;
+  head.columns.push_back({"weight", "-", "-", "how discs count"});
+  head.columns.push_back({"resolution", "1", "-", "number of rings, or of columns of rectangles"});
   const std::vector<Column>& columns = comparison.profiles.front().table.columns;
   head.columns.insert(head.columns.end(), columns.begin(), columns.end());
-  std::string text = csv_text(preamble, head);
+  return csv_text(preamble, head);
+}
+
+std::string long_rows(const Comparison& comparison, const Eigen::ArrayXd& leading) {
+  std::string begin, text;
+  for (const double number : leading) begin.append(number_text(number)) += ',';
   for (const Profile& profile : comparison.profiles) {
     for (Eigen::Index row = 0; row < profile.table.rows.rows(); ++row) {
-      fmt::format_to(std::back_inserter(text), "{},{}", profile.weight, profile.resolution);
+      fmt::format_to(std::back_inserter(text), "{}{},{}", begin, profile.weight, profile.resolution);
       for (const double number : profile.table.rows.row(row)) text.append(",").append(number_text(number));
       text += '\n';
     }
   }
   return text;
+}
+
+std::string long_csv(const Preamble& preamble, const Comparison& comparison) {
+  return long_head(preamble, comparison, {}) + long_rows(comparison, {});
 }
 
 }  // namespace mikromakro

@@ -30,6 +30,11 @@ struct Comparison {
   }
 };
 
+/// A column of the rows of a profile; columns are counted without the coordinates.
+Eigen::ArrayXd column_of(const Comparison& comparison, const Rows& rows, std::size_t column);
+/// Indices of the resolutions, coarse to fine.
+std::vector<std::size_t> ascending(const std::vector<int>& resolutions);
+
 /// One line per column, resolution and weight: mean and largest absolute difference from the first weight, in
 /// the column's unit and relative to the root mean square of the reference.
 std::string differences_of_weights(const Comparison& comparison);
@@ -41,7 +46,18 @@ std::string differences_of_weights(const Comparison& comparison);
 /// one resolution or if there are no such columns.
 std::string differences_of_resolutions(const Comparison& comparison);
 
-/// All profiles stacked, with leading columns for weight and resolution.
+/// Five lines on both: what is compared; how far each weight is from the first in the median of the columns;
+/// where most; how well fine averages add up to coarse ones; what coarse ones hide. All are means over the
+/// volumes relative to the rms of the reference, of columns for which there is one.
+std::string summary_of(const Comparison& comparison);
+
+/// The lines above all profiles stacked, with columns for weight and resolution behind the leading ones; and
+/// the rows, which begin with the numbers of those.
+std::string long_head(const Preamble& preamble, const Comparison& comparison,
+                      const std::vector<Column>& leading);
+std::string long_rows(const Comparison& comparison, const Eigen::ArrayXd& leading);
+
+/// Both, without leading columns.
 std::string long_csv(const Preamble& preamble, const Comparison& comparison);
 
 }  // namespace mikromakro

@@ -48,8 +48,8 @@ void convert(const ConvertOptions& options) {
     const Hdf5File first = Hdf5File::open(source.snapshot_files.front());
     writer.copy_parameters(first);
     if (first.has(walls))
-      source.notes->add(fmt::format("{}: the numbers of walls ({}) are not taken over",
-                                    source.snapshot_files.front(), walls));
+      source.notes->add(
+          fmt::format("{}: the numbers of walls ({}) are not copied", source.snapshot_files.front(), walls));
   }
   FrameStream stream(source);
   Frame frame;
@@ -57,7 +57,7 @@ void convert(const ConvertOptions& options) {
   double last_time = not_given;
   while (stream.next(frame)) {
     if (frames == 0 && lack_walls(frame, options.input))
-      writer.add_parameters({{{snapshot::unrecorded_walls, {"walls that are no discs"}}}, {}});
+      writer.add_parameters({{{snapshot::unrecorded_walls, {"walls that are not discs"}}}, {}});
     note_walls(frame, options.input, *source.notes);
     note_time(frame, last_time, *source.notes);
     check_time(frame, stream.raw().particle_file, options.time_step);
@@ -78,7 +78,7 @@ void add_convert_command(CLI::App& program) {
   add_input_options(*app, options->input);
   app->add_option("--out", options->out, "FILE.h5")->required();
   app->add_option("--timestep", options->time_step,
-                  "DT (s): times are written beside the steps; default those of the files")
+                  "DT (s): times are written as well as steps; default those of the files")
       ->check(positive());
   app->add_flag("--quiet", options->quiet, "no progress bar");
   app->callback([options] { reading_again(options->input, [&] { convert(*options); }); });

@@ -16,7 +16,10 @@ void add_particles(const ParticleRows& rows, DumpSummary& summary) {
   summary.counts_by_type.clear();
   const bool with_types = (rows.given & column_set(ParticleColumn::type)) != 0;
   for (const Particle& particle : rows.particles) {
-    if (with_types) ++summary.counts_by_type[particle.type];
+    if (with_types) {
+      DumpSummary::Count& count = summary.counts_by_type[particle.type];
+      count.most = ++count.fewest;
+    }
     summary.smallest_radius = std::min(summary.smallest_radius, particle.radius);
     summary.largest_radius = std::max(summary.largest_radius, particle.radius);
   }
@@ -57,12 +60,12 @@ DumpSummary summarise_dump(const std::string& file, const std::vector<std::strin
     const auto rows = dump.take_rows(header);
     if (!rows) break;
     if (summary.frames > 0 && header.step <= summary.last_step)
-      notes.add(file + ": steps come again", header.step);
+      notes.add(file + ": steps occur again", header.step);
     add_frame(*rows, summary);
     if (has_discs(header, particle_columns, file))
       add_particles(read_particles(*rows, particle_columns, 0), summary);
   }
-  if (dump.cut()) notes.add(file + ": the compressed file is cut: only its complete frames count");
+  if (dump.cut()) notes.add(file + ": the compressed file is truncated: only its complete frames are used");
   if (summary.last.units.empty()) return summary;
   const Units units = units_of(summary.last.units, {file});
   convert(units, summary.last.box);
@@ -71,6 +74,31 @@ DumpSummary summarise_dump(const std::string& file, const std::vector<std::strin
   if (const std::string text = units_note(summary.last.units); !text.empty())
     notes.add(fmt::format("{}: {}", file, text));
   return summary;
+}
+
+bool alike(const DumpSummary& one, const DumpSummary& other) {
+  return one.last.of_particles() == other.last.of_particles() && one.last.columns == other.last.columns &&
+         one.last.units == other.last.units;
+}
+
+void add_part(const DumpSummary& part, DumpSummary& whole) {
+  if (part.last_step >= whole.last_step) whole.last = part.last;
+  whole.frames += part.frames;
+  whole.first_step = std::min(whole.first_step, part.first_step);
+  whole.last_step = std::max(whole.last_step, part.last_step);
+  whole.fewest_rows = std::min(whole.fewest_rows, part.fewest_rows);
+  whole.most_rows = std::max(whole.most_rows, part.most_rows);
+  whole.smallest_radius = std::min(whole.smallest_radius, part.smallest_radius);
+  whole.largest_radius = std::max(whole.largest_radius, part.largest_radius);
+  std::map<int, DumpSummary::Count> counts = part.counts_by_type;
+  for (auto& [type, count] : counts) {
+    const auto before = whole.counts_by_type.find(type);
+    const DumpSummary::Count old =
+        before == whole.counts_by_type.end() ? DumpSummary::Count{0, 0} : before->second;
+    count = {std::min(count.fewest, old.fewest), std::max(count.most, old.most)};
+  }
+  for (const auto& [type, count] : whole.counts_by_type) counts.try_emplace(type, 0, count.most);
+  whole.counts_by_type = std::move(counts);
 }
 
 Json dump_json(const std::string& file, const DumpSummary& summary) {
@@ -89,7 +117,7 @@ Json dump_json(const std::string& file, const DumpSummary& summary) {
   json["periodic"] = periodic_text(last.box);
   if (summary.largest_radius == 0) return json;
   Json types = Json::object();
-  for (const auto& [type, count] : summary.counts_by_type) types[fmt::format("{}", type)] = count;
+  for (const auto& [type, count] : summary.counts_by_type) types[fmt::format("{}", type)] = count.most;
   json["types"] = types;
   json["radius"] = std::vector<double>{summary.smallest_radius, summary.largest_radius};
   return json;
@@ -105,7 +133,10 @@ void print_dump(const std::string& file, const DumpSummary& summary) {
   if (!last.units.empty()) fmt::print("  units    {}\n", last.units);
   fmt::print("  box      x {} to {}{}, y {} to {}{}, periodic: {}\n", last.box.low[0], last.box.high[0],
              metre, last.box.low[1], last.box.high[1], metre, boundaries_text(last.box));
-  for (const auto& [type, count] : summary.counts_by_type) fmt::print("  type {}   {} discs\n", type, count);
+  for (const auto& [type, count] : summary.counts_by_type)
+    fmt::print("  type {}   {} discs\n", type,
+               count.fewest == count.most ? fmt::format("{}", count.most)
+                                          : fmt::format("{} to {}", count.fewest, count.most));
   if (summary.largest_radius > 0)
     fmt::print("  radius   {} to {}{}\n", summary.smallest_radius, summary.largest_radius, metre);
 }

@@ -9,12 +9,13 @@
 namespace mikromakro {
 
 void add_fit_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("fit", "exponential velocity profile v0 exp(-(r - R_i)/s)");
+  CLI::App* app =
+      program.add_subcommand("fit", "exponential velocity profile v0 exp(-(r - R_i)/s), of windows too");
   auto options = std::make_shared<FitOptions>();
   add_fit_options(*app, *options);
   app->callback([options] {
-    const FitReport report = fit(*options);
-    fmt::print("{}", options->json ? text_of(json_of(report)) + "\n" : text_of(report));
+    const FitResult result = fit(*options);
+    fmt::print("{}", options->json ? text_of(result.json) + "\n" : result.text);
   });
 }
 

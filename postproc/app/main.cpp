@@ -65,6 +65,7 @@ int run(int argc, char** argv) {
   mikromakro::add_audit_command(program);
   mikromakro::add_convert_command(program);
   mikromakro::add_draw_command(program);
+  mikromakro::add_report_command(program);
   mikromakro::add_timestep_command(program);
   for (CLI::App* verb : program.get_subcommands({})) mikromakro::check_values(*verb);
   try {

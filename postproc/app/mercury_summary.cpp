@@ -53,7 +53,7 @@ MercurySummary summarise(const std::string& file, Notes& notes) {
     summary.most_rows = std::max(summary.most_rows, rows);
     if (summary.of_particles) summary.add_particles(block);
   }
-  if (reader.cut()) notes.add(file + ": the compressed file is cut: only its complete frames count");
+  if (reader.cut()) notes.add(file + ": the compressed file is truncated: only its complete frames are used");
   return summary;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -23,7 +24,7 @@ struct TimestepOptions {
 };
 
 void require(bool holds, std::string_view option, std::string_view expected, double got) {
-  if (!holds) throw bad_input({option}, "the value makes no sense", expected, fmt::format("{}", got));
+  if (!holds) throw bad_input({option}, "invalid value", expected, fmt::format("{}", got));
 }
 
 // Without friction there is no tangential force.
@@ -38,21 +39,22 @@ void check(const TimestepOptions& o) {
   require(o.density > 0, "--density", "an areal density rho h above 0 (kg/m^2)", o.density);
   constexpr double metals = 20000, highest = 5;  // kg/m^3, diameters
   if (o.density > metals * highest * 2 * o.radius)
-    tell(fmt::format(
-        "--density {}: heavier than five diameters of metal (it is that of an area, rho h, in kg/m^2)",
-        o.density));
+    tell(
+        fmt::format("--density {}: heavier than metal discs five diameters thick (it is the areal density, "
+                    "rho h, in kg/m^2)",
+                    o.density));
   require(o.kn > 0, "--kn", "a stiffness above 0", o.kn);
-  require(std::isnan(o.gamman) || o.gamman >= 0, "--gamman", "a number from 0 on (kg/s)", o.gamman);
+  require(std::isnan(o.gamman) || o.gamman >= 0, "--gamman", "a number >= 0 (kg/s)", o.gamman);
   require(std::isnan(o.restitution) || (o.restitution > 0 && o.restitution <= 1), "--restitution",
           "a number above 0, at most 1", o.restitution);
   require(std::isnan(o.kt) || o.kt > 0, "--kt", "a stiffness above 0 (N/m)", o.kt);
   require_friction(!std::isnan(o.kt), "--kt", o);
   require_friction(o.gammat > 0, "--gammat", o);
-  require(o.gammat >= 0, "--gammat", "a number from 0 on (kg/s)", o.gammat);
-  require(std::isnan(o.mu) || o.mu >= 0, "--mu", "a number from 0 on", o.mu);
+  require(o.gammat >= 0, "--gammat", "a number >= 0 (kg/s)", o.gammat);
+  require(std::isnan(o.mu) || o.mu >= 0, "--mu", "a number >= 0", o.mu);
   if (o.mu > 0 && std::isnan(o.kt) && !(o.gammat > 0))
-    throw bad_input({"--mu"}, "there is no tangential force that it could limit",
-                    "--kt (a spring) or --gammat above 0 (Eq. 1) beside it", "neither");
+    throw bad_input({"--mu"}, "there is no tangential force for it to limit",
+                    "--kt (a spring) or --gammat above 0 (Eq. 1) as well", "neither");
   require(std::isnan(o.velocity) || o.velocity > 0, "--velocity", "a speed above 0 (m/s)", o.velocity);
   require(std::isnan(o.error) || o.error > 0, "--error", "a number above 0", o.error);
 }
@@ -82,13 +84,13 @@ Finding find(const physics::Impact& impact, double wanted) {
   constexpr physics::Effects effects{tangential, false, normal};
   Finding found{physics::exact_rebound<effects>(impact)[physics::restitution_of_impact], std::nan("")};
   if (std::isnan(found.restitution)) {
-    throw bad_input({"--gamman"}, "the discs do not part", "a weaker dashpot",
+    throw bad_input({"--gamman"}, "the discs do not separate", "a weaker dashpot",
                     fmt::format("{}", impact.law.normal_damping));
   }
   if (std::isnan(wanted)) return found;
   found.steps = physics::steps_for_error<effects>(impact, wanted);
   if (std::isnan(found.steps)) {
-    throw bad_input({"--error"}, "no time step of t_c/4000 or more is so accurate", "a larger error",
+    throw bad_input({"--error"}, "no time step of t_c/4000 or more is that accurate", "a larger error",
                     fmt::format("{}", wanted));
   }
   return found;
@@ -103,8 +105,21 @@ Finding find_with_friction(const TimestepOptions& o, const physics::Impact& impa
   return find<Tangential::spring, normal>(impact, o.error);
 }
 
+/// Largest time step for the dashpots of a dense packing, with predicted velocities; infinite without.
+double stable_step(const physics::Impact& impact) {
+  const auto& law = impact.law;
+  const double m12 = impact.mass / 2;
+  const double approach =
+      physics::normal_rate_of_lattice * physics::normal_dashpot_rate(law.normal_damping, m12);
+  const double slip =
+      physics::tangential_rate_of_lattice * physics::tangential_dashpot_rate(law.tangential_damping, m12);
+  const double rate = std::max(approach, law.friction > 0 ? slip : 0);
+  return physics::stable_dashpot_step(rate, true);
+}
+
 void print(const TimestepOptions& o, const physics::Impact& impact, const Finding& found) {
   const double rule = impact.duration / physics::steps_per_contact, dt = impact.duration / found.steps;
+  const double stable = stable_step(impact);
   if (o.json) {
     Json json = Json::object();
     json["t_c"] = impact.duration;
@@ -113,15 +128,23 @@ void print(const TimestepOptions& o, const physics::Impact& impact, const Findin
     json["rule"] = rule;
     json["steps_per_contact"] = found.steps;
     json["dt"] = dt;
+    json["stable"] = std::isinf(stable) ? Json() : Json(stable);
     fmt::print("{}\n", text_of(json));
     return;
   }
   fmt::print("t_c = {:.6g} s, e_n = {:.6g}, t_c/50 = {:.6g} s\n", impact.duration, found.restitution, rule);
   if (!std::isnan(o.restitution)) fmt::print("gamma_n = {:.6g} kg/s\n", impact.law.normal_damping);
+  constexpr double near = 0.75;
+  if (near * stable < std::max(rule, std::isnan(dt) ? 0 : dt))
+    fmt::print(
+        "use dt = {:.6g} s or less: above {:.6g} s the dashpots of a dense packing of such discs are "
+        "unstable\n",
+        near * stable, stable);
   if (std::isnan(o.error)) return;
   fmt::print(
-      "dt = {:.6g} s = t_c/{:.1f}: velocities after {} impact are off by {:g} of the one before (rms)\n", dt,
-      found.steps, impact.v_t > 0 ? "an oblique" : "a head-on", o.error);
+      "dt = {:.6g} s = t_c/{:.1f}: the rms error of velocities after {} impact is {:g} of the velocity "
+      "before\n",
+      dt, found.steps, impact.v_t > 0 ? "an oblique" : "a head-on", o.error);
   if (dt > rule) fmt::print("the engine warns above t_c/50\n");
 }
 
@@ -146,7 +169,7 @@ void add_timestep_command(CLI::App& program) {
       app->add_flag("--hertz", options->hertz, "Hertz's law")->needs(velocity)->excludes(restitution);
   velocity->needs(hertz);
   app->add_option("--error", options->error,
-                  "wanted: rms error of velocities after an impact over the one before");
+                  "target: rms error of velocities after an impact over the velocity before");
   app->add_flag("--json", options->json, "print JSON");
   app->callback([options] {
     check(*options);

@@ -62,7 +62,7 @@ void count_crossings(const Frame& frame, const Contact& contact, const std::vect
 void check_period(const Rectangle& box, const Box& frame_box, Eigen::Index axis) {
   const double period = frame_box.length()[axis];
   if (std::abs(box.size()[axis] - period) <= digits_of_dumps * period) return;
-  throw bad_input({"--box"}, "forces cross the boundary, so that the whole of it is balanced",
+  throw bad_input({"--box"}, "forces cross the periodic boundary, so only the full period is in balance",
                   fmt::format("a length along {} of {} m", axis == 0 ? 'x' : 'y', period),
                   fmt::format("{}", box.size()[axis]));
 }

@@ -98,8 +98,8 @@ Table Averager::solve(const Rows& mean_sums) const {
   const Rows coordinates = volumes_->coordinates();
   const Rows solved = values(mean_sums);
   if (solved.isInf().any())
-    throw run_failed("an average is too large for a number",
-                     "values below 1e308 (a height or another constant far off?)", "inf");
+    throw run_failed("an average overflows", "values below 1e308 (a height or another constant far off?)",
+                     "inf");
   for (Column& column : columns()) table.columns.push_back(std::move(column));
   table.rows.resize(volumes_->count(), coordinates.cols() + solved.cols());
   table.rows << coordinates, solved;

@@ -265,7 +265,7 @@ std::vector<Column> error_columns(const std::vector<Column>& columns,
   for (const Column& column : columns)
     added.push_back({column.name + "_err", column.unit, "jackknife", "standard error of " + column.name});
   added.push_back({"effective_samples", "1", "-",
-                   "independent frames, of the quantity of this row that changes slowest"});
+                   "independent frames, of the quantity of this row that changes most slowly"});
   for (const ColumnsOfField& field : fields)
     added.push_back({field.name + "_two_tau", "frames", "-",
                      "correlation time 2 tau, of the slowest column of " + field.name});

@@ -25,11 +25,12 @@ double of_block(const CsvTable& blocks, const Eigen::ArrayXd& column, Eigen::Ind
   const auto part = column.segment(block * volumes, volumes);
   constexpr double most = 1e15;  // integers are exact up to there
   if (!(part[0] >= 0 && part[0] <= most && part[0] == std::floor(part[0])))
-    throw bad_input(blocks.row_place(block * volumes), "no number of a block, a run or frames",
+    throw bad_input(blocks.row_place(block * volumes), "not a number of a block, a run or frames",
                     "a whole number", fmt::format("{}", part[0]));
   for (Eigen::Index i = 1; i < volumes; ++i) {
     if (part[i] != part[0])
-      throw bad_input(blocks.row_place(block * volumes + i), "a block of other volumes than the table",
+      throw bad_input(blocks.row_place(block * volumes + i),
+                      "a block whose volumes differ from those of the table",
                       fmt::format("{} rows of the same block, run and frames", volumes),
                       fmt::format("{} after {}", part[i], part[0]));
   }
@@ -43,14 +44,14 @@ void check_same(const CsvTable& blocks, const CsvTable& table, const std::string
     const double there = all_there[i % table.rows()];
     if (here[i] != there && !(std::isnan(here[i]) && std::isnan(there)))
       throw bad_input(blocks.row_place(i), fmt::format("the blocks are not those of {}", table.file()),
-                      fmt::format("{} = {} {}as there", name, there, in_all ? "" : "of all frames "),
+                      fmt::format("{} = {} {}as in the table", name, there, in_all ? "" : "of all frames "),
                       fmt::format("{}", here[i]));
   }
 }
 
 void check_block_table(const CsvTable& blocks, const std::string& column, const CsvTable& table) {
   if (!blocks.has("block") || !blocks.has("run") || !blocks.has("frames"))
-    throw bad_input({blocks.file()}, "the file has no blocks of frames", "one of average --blocks",
+    throw bad_input({blocks.file()}, "the file has no blocks of frames", "a file written by average --blocks",
                     "no columns block, run, frames");
   if (blocks.rows() % table.rows() != 0 || blocks.rows() < 3 * table.rows())
     throw bad_input({blocks.file()}, fmt::format("the blocks are not those of {}", table.file()),
@@ -74,9 +75,8 @@ void check_complete(const CsvTable& blocks, const ColumnWithoutBlocks& read, dou
 void check_runs(const CsvTable& blocks, const ColumnWithoutBlocks& read, Eigen::Index volumes) {
   for (std::size_t i = 1; i < read.runs.size(); ++i)
     if (read.runs[i] < read.runs[i - 1])
-      throw bad_input(blocks.row_place((static_cast<Eigen::Index>(i) + 1) * volumes),
-                      "runs are not one after the other", fmt::format("run {} or more", read.runs[i - 1]),
-                      fmt::format("{}", read.runs[i]));
+      throw bad_input(blocks.row_place((static_cast<Eigen::Index>(i) + 1) * volumes), "runs are not in order",
+                      fmt::format("run {} or more", read.runs[i - 1]), fmt::format("{}", read.runs[i]));
 }
 
 // The mean of the delete-one values equals that of all frames, except for ratios, by a fraction of their
@@ -141,13 +141,13 @@ ColumnWithoutBlocks column_without_blocks(const CsvTable& blocks, const std::str
   ColumnWithoutBlocks result{Eigen::ArrayXXd(volumes, count), {}, 0};
   for (Eigen::Index block = 1; block <= count; ++block) {
     if (of_block(blocks, number, block, volumes) != static_cast<double>(block))
-      throw bad_input(blocks.row_place(block * volumes), "blocks are not one after the other",
+      throw bad_input(blocks.row_place(block * volumes), "blocks are not in order",
                       fmt::format("block {}", block), fmt::format("{}", number[block * volumes]));
     result.values.col(block - 1) = value.segment(block * volumes, volumes);
     result.runs.push_back(static_cast<std::int64_t>(of_block(blocks, run, block, volumes)));
     const double length = of_block(blocks, frames, block, volumes);
     if (block > 1 && length != result.frames)
-      throw bad_input(blocks.row_place(block * volumes), "blocks are not of the same length",
+      throw bad_input(blocks.row_place(block * volumes), "blocks differ in length",
                       fmt::format("{} frames", result.frames), fmt::format("{}", length));
     result.frames = length;
   }

@@ -42,7 +42,7 @@ PeriodicImages::Row PeriodicImages::Axis::row(double x, double reach) const {
   constexpr double farthest = 1e9;
   if (!(std::abs(x - low) < farthest * period))
     throw bad_input({"periodic box"}, "a disc is too far away to have an image in it",
-                    fmt::format("places within {} lengths of the box, {}", farthest, period),
+                    fmt::format("positions within {} lengths of the box, {}", farthest, period),
                     fmt::format("{}", x));
   if (reach > 0)
     return {x, std::ceil((low - reach - x) / period), std::floor((high + reach - x) / period) + 1};

@@ -13,16 +13,29 @@ Eigen::Index coordinate_columns(const Averager& averager, const Table& solved) {
 
 }  // namespace
 
+std::vector<Column> window_columns(bool runs) {
+  std::vector<Column> columns = {{"step", "-", "-", "mean time step of the frames of the window"},
+                                 {"time", "s", "-", "mean time of the frames of the window"},
+                                 {"step_first", "-", "-", "first time step of the window"},
+                                 {"step_last", "-", "-", "last time step of the window"}};
+  if (runs) columns.push_back({"run", "-", "-", "of the frames of the window, from 1"});
+  return columns;
+}
+
+Eigen::ArrayXd window_numbers(const Window& window, bool runs) {
+  Eigen::ArrayXd numbers(runs ? 5 : 4);
+  numbers.head<4>() << window.step, window.time, static_cast<double>(window.first_step),
+      static_cast<double>(window.last_step);
+  if (runs) numbers[4] = static_cast<double>(window.run + 1);
+  return numbers;
+}
+
 WindowRows::WindowRows(const Averager& averager, WindowColumns columns)
     : averager_(averager), columns_(std::move(columns)) {}
 
 SeriesColumns WindowRows::columns() const {
   SeriesColumns all;
-  all.of_window = {{"step", "-", "-", "mean time step of the frames of the window"},
-                   {"time", "s", "-", "mean time of the frames of the window"},
-                   {"step_first", "-", "-", "first time step of the window"},
-                   {"step_last", "-", "-", "last time step of the window"}};
-  if (columns_.runs) all.of_window.push_back({"run", "-", "-", "of the frames of the window, from 1"});
+  all.of_window = window_columns(columns_.runs);
   for (const WallNumbers& wall : columns_.walls)
     all.of_window.insert(all.of_window.end(), wall.columns.begin(), wall.columns.end());
   const Table volumes = averager_.volumes();
@@ -37,12 +50,9 @@ SeriesColumns WindowRows::columns() const {
 
 WindowRows::Of WindowRows::of(const Window& window) const {
   Of rows;
-  const Eigen::Index own = columns_.runs ? 5 : 4;
-  rows.numbers.resize(own + window.walls.size());
-  rows.numbers.head<4>() << window.step, window.time, static_cast<double>(window.first_step),
-      static_cast<double>(window.last_step);
-  if (columns_.runs) rows.numbers[4] = static_cast<double>(window.run + 1);
-  rows.numbers.tail(window.walls.size()) = window.walls;
+  const Eigen::ArrayXd own = window_numbers(window, columns_.runs);
+  rows.numbers.resize(own.size() + window.walls.size());
+  rows.numbers << own, window.walls;
   Table table = averager_.solve(window.sums.mean());
   const Eigen::Index coordinates = coordinate_columns(averager_, table);
   if (columns_.errors) {

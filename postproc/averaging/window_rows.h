@@ -17,6 +17,10 @@ struct WindowColumns {
   std::vector<WallNumbers> walls = {};  ///< means of these; FrameSums::walls holds their numbers
 };
 
+/// The columns step, time, step_first and step_last, then run (from 1) if `runs`; and their numbers.
+std::vector<Column> window_columns(bool runs);
+Eigen::ArrayXd window_numbers(const Window& window, bool runs);
+
 /// Computes the rows of a window: step, time, step_first, step_last, then run (from 1) and numbers of walls,
 /// if any; then the columns of Averager::solve() and append_errors().
 class WindowRows {

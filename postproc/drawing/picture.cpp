@@ -16,17 +16,6 @@
 namespace mikromakro {
 namespace {
 
-constexpr Colour ink{0.1, 0.1, 0.1, 1};
-constexpr Colour wall_grey{0.62, 0.62, 0.62, 1};
-constexpr Colour plain_grey{0.9, 0.9, 0.9, 1};
-constexpr Colour outline{0, 0, 0, 0.4};
-constexpr Colour network_grey{0.15, 0.15, 0.15, 0.9};
-constexpr Colour compression{0.05, 0.05, 0.05, 1};
-constexpr Colour tension{0.84, 0.1, 0.11, 1};
-constexpr Colour halo{1, 1, 1, 0.75};
-
-// Width of a chain carrying the mean force, in mean radii.
-constexpr double chain_width = 0.2;
 constexpr double largest_height = 30000;
 
 class Painter {
@@ -46,7 +35,7 @@ class Painter {
     origin_ = {corner_.x() - scale_ * window.low.x(), opposite_.y() + scale_ * window.low.y()};
     const double height = opposite_.y() + 3 * letter_;
     if (!(height < largest_height))
-      throw bad_input({"--box"}, "the picture is too high", "at most 30000 pixels",
+      throw bad_input({"--box"}, "the picture is too tall", "at most 30000 pixels",
                       fmt::format("{:.0f}", height));
     canvas_ = std::make_unique<Canvas>(kind, style.width, static_cast<int>(std::lround(height)));
   }
@@ -57,7 +46,7 @@ class Painter {
     if (style_.network) network();
     if (style_.chains) chains();
     canvas_->show_all();
-    if (style_.border) canvas_->frame(corner_, opposite_, 0.06 * letter_, ink);
+    if (style_.border) canvas_->frame(corner_, opposite_, 0.06 * letter_, colours::ink);
     scale_bar();
     if (style_.chains && scales_.mean_force > 0) chain_key();
     stamp();
@@ -84,19 +73,19 @@ class Painter {
   }
 
   void discs() {
-    const ColourScale colours(scales_.colours);
+    const ColourScale colour_of(scales_.colours);
     const std::vector<double> values = style_.quantity != nullptr
                                            ? disc_values(frame_, style_.quantity->quantity, style_.height)
                                            : std::vector<double>(frame_.particles.size());
     const double line_width = std::max(0.05 * mean_radius(), 0.25);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const Particle& particle = frame_.particles[i];
-      const Colour fill = !is_bulk(particle, style_)   ? wall_grey
-                          : style_.quantity == nullptr ? plain_grey
-                                                       : colours(values[i]);
+      const Colour fill = !is_bulk(particle, style_)   ? colours::wall
+                          : style_.quantity == nullptr ? colours::plain
+                                                       : colour_of(values[i]);
       images_.of(particle.position, particle.radius, places_);
       for (const Eigen::Vector2d& place : places_)
-        canvas_->disc(at(place), scale_ * particle.radius, fill, outline, line_width);
+        canvas_->disc(at(place), scale_ * particle.radius, fill, colours::outline, line_width);
     }
   }
 
@@ -121,8 +110,8 @@ class Painter {
   }
 
   void network() {
-    const double width = std::max(0.09 * mean_radius(), 0.5);
-    for (const Contact& contact : frame_.contacts) contact_line(contact, width, network_grey);
+    const double width = std::max(network_width * mean_radius(), 0.5);
+    for (const Contact& contact : frame_.contacts) contact_line(contact, width, colours::network);
   }
 
   double width_of(double force) const { return chain_width * mean_radius() * force / scales_.mean_force; }
@@ -137,15 +126,17 @@ class Painter {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return std::abs(force(a)) < std::abs(force(b)); });
-    const double edge = style_.quantity != nullptr ? 0.08 * mean_radius() : 0.0;
+    const double edge = style_.quantity != nullptr ? halo_width * mean_radius() : 0.0;
     // All edges first, so that none cuts through a chain where its contacts join.
     for (const std::size_t i : order) {
       const double width = width_of(std::abs(force(i)));
-      if (edge > 0 && width > 0) contact_line(frame_.contacts[i], width + 2 * std::min(edge, width), halo);
+      if (edge > 0 && width > 0)
+        contact_line(frame_.contacts[i], width + 2 * std::min(edge, width), colours::halo);
     }
     for (const std::size_t i : order) {
       const double width = width_of(std::abs(force(i)));
-      if (width > 0) contact_line(frame_.contacts[i], width, force(i) > 0 ? compression : tension);
+      if (width > 0)
+        contact_line(frame_.contacts[i], width, force(i) > 0 ? colours::compression : colours::tension);
     }
   }
 
@@ -162,7 +153,7 @@ class Painter {
                                        {to.x(), from.y() - half},
                                        {to.x(), from.y() + half},
                                        {from.x(), from.y() + half}}};
-    canvas_->polygon(bar, ink);
+    canvas_->polygon(bar, colours::ink);
     canvas_->text(to + Pixel(0.5 * letter_, 0), label_text(length / unit.factor) + " " + unit.unit, letter_,
                   {0, 0.5});
   }
@@ -182,8 +173,8 @@ class Painter {
       canvas_->text(from + Pixel(2.4 * letter_, 0), words, letter_, {0, 0.5});
       x += (4 + 0.55 * static_cast<double>(words.size())) * letter_;
     };
-    entry(compression, size + " compression");
-    if (pulls) entry(tension, "tension");
+    entry(colours::compression, size + " compression");
+    if (pulls) entry(colours::tension, "tension");
   }
 
   void stamp() {

@@ -13,6 +13,12 @@
 
 namespace mikromakro {
 
+/// Line widths, in mean radii of the discs: a chain that carries the mean force, a contact of the network,
+/// and the halo along a chain.
+inline constexpr double chain_width = 0.2;
+inline constexpr double network_width = 0.09;
+inline constexpr double halo_width = 0.08;
+
 /// What to draw, and at what size.
 struct PictureStyle {
   const QuantityInfo* quantity = nullptr;  ///< null: discs in light grey, no colour bar

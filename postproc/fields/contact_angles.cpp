@@ -62,9 +62,10 @@ std::vector<Column> ContactAngleHistogram::columns(const Axes& axes) const {
   std::vector<Column> columns;
   for (int i = 0; i < bins_; ++i) {
     const double width = 360.0 / bins_;
-    columns.push_back({fmt::format("contact_angle_bin_{}", i + 1), "1", "Latzel2001 Bild 6",
-                       fmt::format("part of the contacts with directions from {:g} to {:g} degrees from e_{}",
-                                   -180 + i * width, -180 + (i + 1) * width, axes[0])});
+    columns.push_back(
+        {fmt::format("contact_angle_bin_{}", i + 1), "1", "Latzel2001 Bild 6",
+         fmt::format("fraction of the contacts with directions from {:g} to {:g} degrees from e_{}",
+                     -180 + i * width, -180 + (i + 1) * width, axes[0])});
   }
   return columns;
 }

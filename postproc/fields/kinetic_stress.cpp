@@ -27,7 +27,7 @@ void KineticStress::solve(const VolumeData& volumes, const ConstRowsRef& sums, R
 
 std::string KineticStress::note(const ConstRowsRef& sums) const {
   const bool without = sums.rows() > 0 && sums.col(0).array().isNaN().any();
-  return without ? "kinetic stress: not in all frames are there masses (--density gives them), not defined"
+  return without ? "kinetic stress: masses are missing in some frames (--density gives them), not defined"
                  : "";
 }
 

@@ -4,7 +4,7 @@
 namespace mikromakro {
 
 std::vector<Column> Rattlers::columns(const Axes& /*axes*/) const {
-  return {{"rattler_fraction", "1", "-", "part of the discs, by number, with fewer than 2 contacts"}};
+  return {{"rattler_fraction", "1", "-", "fraction of the discs, by number, with fewer than 2 contacts"}};
 }
 
 void Rattlers::add_disc(const Disc& disc, std::span<double> quantity) const {

@@ -12,7 +12,7 @@ constexpr double digits_of_dumps = 1e-4;
 }  // namespace
 
 std::vector<Column> SlidingContacts::columns(const Axes& /*axes*/) const {
-  return {{"sliding_fraction", "1", "-", "part of the contacts with abs(f_t) = mu abs(f_n)"}};
+  return {{"sliding_fraction", "1", "-", "fraction of the contacts with abs(f_t) = mu abs(f_n)"}};
 }
 
 void SlidingContacts::add_contacts(const Disc& /*disc*/, std::span<const DiscContact> contacts,

@@ -18,7 +18,9 @@ class VelocityGradient : public Field {
   std::string_view name() const override { return "velocity_gradient"; }
   std::vector<Column> columns(const Axes& axes) const override;
   std::vector<std::string_view> sources() const override { return {"velocity", "spin"}; }
-  std::string_view missing_option() const override { return over_rings_ ? "" : "--rings without --sectors"; }
+  std::string_view missing_option() const override {
+    return over_rings_ ? "" : "--rings with polar components, without --sectors";
+  }
   void solve(const VolumeData& volumes, const ConstRowsRef& numbers, RowsRef columns) const override;
 
  private:

@@ -16,7 +16,9 @@ class VelocityGradientFit : public Field {
   std::string_view name() const override { return "velocity_gradient_fit"; }
   std::vector<Column> columns(const Axes& axes) const override;
   std::vector<std::string_view> sources() const override { return {"velocity"}; }
-  std::string_view missing_option() const override { return over_rings_ ? "" : "--rings without --sectors"; }
+  std::string_view missing_option() const override {
+    return over_rings_ ? "" : "--rings with polar components, without --sectors";
+  }
   void solve(const VolumeData& volumes, const ConstRowsRef& numbers, RowsRef columns) const override;
 
  private:

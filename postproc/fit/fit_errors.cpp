@@ -96,7 +96,7 @@ FitErrors errors_of_series(const Eigen::ArrayXXd& series, const ExponentialProfi
   FitErrors errors;
   errors.remark = fmt::format("{} blocks of {} frames", series.rows(), blocks.frames);
   if (std::isnan(all.time) || std::isnan(of_zone)) {
-    errors.remark += ", too few to tell 2 tau";
+    errors.remark += ", too few to estimate 2 tau";
     return errors;
   }
   const Eigen::Array2d time = all.of_series.head(2).max(of_zone);
@@ -125,9 +125,9 @@ std::optional<FitErrors> errors_of_differing(const Eigen::ArrayXXd& series, cons
   if (!between.differ()) return {};
   FitErrors errors;
   if (decide_by_runs(runs.freedom()).given) errors = errors_of_runs(runs);
-  errors.remark = fmt::format("{} runs that differ by more than their frames tell, chi^2 {:.2g}",
+  errors.remark = fmt::format("{} runs that differ by more than their frames explain, chi^2 {:.2g}",
                               runs.share.size(), between.chi_square);
-  if (errors.error.isNaN().any()) errors.remark += "; four runs of one length are needed";
+  if (errors.error.isNaN().any()) errors.remark += "; four runs of the same length are needed";
   return errors;
 }
 
@@ -136,7 +136,7 @@ std::optional<FitErrors> errors_of_differing(const Eigen::ArrayXXd& series, cons
 FitErrors errors_from_blocks(const ExponentialProfile& fitted, const ColumnWithoutBlocks& blocks,
                              const FitValues& fit) {
   FitErrors none;
-  none.remark = "there is no such profile without one of the blocks";
+  none.remark = "the fit fails when one of the blocks is left out";
   try {
     const Eigen::ArrayXXd series = pseudo_values(fitted, blocks, fit);
     if (!series.isFinite().all()) return none;
@@ -158,7 +158,7 @@ FitErrors errors_from_rings(const ExponentialProfile& fitted, const Eigen::Array
     return errors;
   }
   errors.method = "rough, from the rings' errors";
-  errors.remark = "as if all rings acted in one direction (--blocks counts how they fluctuate together)";
+  errors.remark = "as if the errors of all rings added up (--blocks accounts for their correlation)";
   errors.error = (fitted.change.cwiseAbs() * error.matrix()).array();
   errors.half_width = normal_quantile * errors.error;
   return errors;

@@ -10,7 +10,9 @@
 #include "joining/contact_pairs.h"
 #include "joining/contact_tolerance.h"
 #include "joining/plausible_forces.h"
+#include "joining/plausible_springs.h"
 #include "joining/row_branch.h"
+#include "joining/row_force.h"
 
 namespace mikromakro {
 namespace {
@@ -23,16 +25,6 @@ constexpr ColumnSet place_columns = column_set(x1, y1, x2, y2);
 constexpr ColumnSet whole_geometry = normal_columns | column_set(overlap);
 constexpr ColumnSet force_columns = column_set(fx, fy);
 constexpr ColumnSet components_of_force = column_set(fn, ft);
-constexpr double six_digits = 2e-5;
-
-std::string text_of(const Vector2d& vector) {
-  return fmt::format("{:.9g} {:.9g}", vector.x(), vector.y());
-}
-
-std::string pair_name(const Contact& contact) {
-  return contact.with_wall() ? fmt::format("disc {} and wall {}", contact.id1, contact.id2)
-                             : fmt::format("discs {} and {}", contact.id1, contact.id2);
-}
 
 class Joiner {
  public:
@@ -58,11 +50,13 @@ class Joiner {
     if (plain_ && join_plain(rows_.rows[i], contact)) return true;
     if (!join_any(i, contact)) return false;
     deep_ += is_deep(contact) ? 1 : 0;
+    long_springs_ += has_long_spring(contact) ? 1 : 0;
     walls_ += contact.with_wall() ? 1 : 0;
     return true;
   }
 
   std::int64_t deep() const { return deep_; }
+  std::int64_t long_springs() const { return long_springs_; }
   std::int64_t walls() const { return walls_; }
 
  private:
@@ -76,8 +70,10 @@ class Joiner {
     contact.overlap = row[overlap];
     const double slack = contact.with_wall() ? join_wall(row, contact) : join_discs(row, contact);
     set_force(row, contact);
-    check_spring(row, contact);
-    check_components(row, contact, slack);
+    check_spring(row, contact, rows_);
+    // The normal is rotated by the error of the places if the row does not give it.
+    const double turned = row.has(normal_columns) ? 0 : 2 * slack / disc(contact.index1).radius;
+    check_components(row, contact, turned, rows_);
     return is_contact(row, contact, slack);
   }
 
@@ -87,6 +83,13 @@ class Joiner {
     const double one = disc(contact.index1).radius;
     const double smaller = contact.with_wall() ? one : std::min(one, disc(contact.index2).radius);
     return contact.overlap > deep_part * smaller;
+  }
+
+  /// Friction limits k_t |xi| to mu f_n = mu k_n overlap: springs are about as long as the overlap.
+  bool has_long_spring(const Contact& contact) const {
+    constexpr double overlaps = 100;
+    return std::abs(contact.spring) > disc(contact.index1).radius &&
+           std::abs(contact.spring) > overlaps * contact.overlap;
   }
 
   int find(std::int64_t id, std::size_t i) const {
@@ -100,7 +103,7 @@ class Joiner {
   const Particle& disc(int index) const { return discs_.particles[static_cast<std::size_t>(index)]; }
 
   /// Fast path for nearly all rows of most files: a contact of two discs with consistent normal, overlap and
-  /// force, that is not deep. False for anything else.
+  /// force, that is not deep and has no long spring. False for anything else.
   bool join_plain(const ContactRow& row, Contact& contact) const {
     contact.id1 = static_cast<std::int64_t>(row[id1]);
     contact.id2 = static_cast<std::int64_t>(row[id2]);
@@ -119,6 +122,7 @@ class Joiner {
     const double slack = tolerance_.of_geometry(smaller, reach, contact.overlap, false);
     const double allowed = tolerance_.of_place(smaller);
     return contact.overlap > 0 && contact.overlap <= deep_part * smaller &&
+           !(std::abs(contact.spring) > smaller) &&
            fits(contact, two.position - one.position, reach, slack) &&
            (!with_places_ || (is_at(row, x1, y1, one, allowed) && is_at(row, x2, y2, two, allowed))) &&
            (!with_components_ || are_components(row, contact));
@@ -177,14 +181,6 @@ class Joiner {
     return std::abs(apart.x()) <= allowed && std::abs(apart.y()) <= allowed;
   }
 
-  /// Tolerance of the force's digits only, since the normal is exact.
-  static bool are_components(const ContactRow& row, const Contact& contact) {
-    const double f_n = -contact.force.dot(contact.normal);
-    const double f_t = contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x()));
-    const double allowed = six_digits * contact.force.lpNorm<1>();
-    return std::abs(row[fn] - f_n) <= allowed && std::abs(row[ft] - f_t) <= allowed;
-  }
-
   void check_place(const RowView& row, ContactColumn x, ContactColumn y, const Particle& disc) const {
     const double allowed = tolerance_.of_place(disc.radius);
     if (is_at(row.numbers, x, y, disc, allowed)) return;
@@ -212,7 +208,8 @@ class Joiner {
     const double distance = branch.norm();
     if (!row.has(normal_columns)) {
       if (distance == 0)
-        throw bad_input(rows_.place(row.index), "contact of coinciding centres", "a distance > 0", "0");
+        throw bad_input(rows_.place(row.index), "contact of discs whose centres coincide", "a distance > 0",
+                        "0");
       contact.normal = branch / distance;
     } else if (const Vector2d apart = branch - distance * contact.normal;
                !(std::abs(apart.x()) <= slack && std::abs(apart.y()) <= slack)) {
@@ -233,46 +230,6 @@ class Joiner {
                     fmt::format("{:.9g} within {:.2g} m", right, slack), fmt::format("{:.9g}", told));
   }
 
-  /// The spring of stock LIGGGHTS lies along the tangent; a normal force in the spring columns is not a
-  /// spring.
-  void check_spring(const RowView& row, const Contact& contact) const {
-    if (!row.has(column_set(shearx, sheary))) return;
-    const Vector2d shear = row.place(shearx, sheary);
-    constexpr double turned = 0.05;  // rotation of the normal since the spring was last rotated with it
-    if (!(std::abs(shear.dot(contact.normal)) > turned * shear.norm())) return;
-    throw bad_input(
-        rows_.place(row.index),
-        fmt::format("shearx sheary is no spring of {} (columns of another quantity?)", pair_name(contact)),
-        fmt::format("a vector along the tangent {}", text_of({-contact.normal.y(), contact.normal.x()})),
-        text_of(shear));
-  }
-
-  static void set_force(const RowView& row, Contact& contact) {
-    const Vector2d tangent(-contact.normal.y(), contact.normal.x());
-    contact.force = row.has(force_columns) || !row.has(components_of_force)
-                        ? row.place(fx, fy)
-                        : Vector2d(-row[fn] * contact.normal + row[ft] * tangent);
-    // The spring of stock LIGGGHTS is the slip of 1 against 2 as well.
-    contact.spring = row.has(column_set(shearx, sheary)) && !row.has(xi)
-                         ? row.place(shearx, sheary).dot(tangent)
-                         : row[xi];
-  }
-
-  void check_components(const RowView& row, const Contact& contact, double slack) const {
-    if (!row.has(force_columns) || (row.given & components_of_force) == 0) return;
-    const Vector2d tangent(-contact.normal.y(), contact.normal.x());
-    const Vector2d right(-contact.force.dot(contact.normal), contact.force.dot(tangent));
-    const Vector2d told(row.has(fn) ? row[fn] : right.x(), row.has(ft) ? row[ft] : right.y());
-    // Both are rounded, to at least six digits, and rotated by the error of the normal if the row does not
-    // give it.
-    const double turned = row.has(normal_columns) ? 0 : 2 * slack / disc(contact.index1).radius;
-    const double allowed = contact.force.lpNorm<1>() * (six_digits + turned);
-    if ((told - right).lpNorm<Eigen::Infinity>() <= allowed) return;
-    throw bad_input(rows_.place(row.index),
-                    fmt::format("fn ft is not that of fx fy of {}", pair_name(contact)),
-                    fmt::format("{} within {:.2g} N", text_of(right), allowed), text_of(told));
-  }
-
   bool is_contact(const RowView& row, const Contact& contact, double slack) const {
     if (!(contact.overlap <= 0)) return true;
     const bool forces_known = row.has(force_columns) || row.has(components_of_force);
@@ -281,8 +238,8 @@ class Joiner {
     if (!forces_known) return false;
     if (rules_.distant) return true;
     throw bad_input(rows_.place(row.index),
-                    fmt::format("a force between {} that do not touch (where such forces are meant, cohesion "
-                                "say, give --distant-contacts)",
+                    fmt::format("a force between {} that do not touch (if such forces are intended, as with "
+                                "cohesion, give --distant-contacts)",
                                 pair_name(contact)),
                     fmt::format("an overlap > {:.2g} m or no force", -slack),
                     fmt::format("{:.9g}", contact.overlap));
@@ -296,89 +253,8 @@ class Joiner {
   BranchImages images_;
   bool plain_ = false;  ///< rows have all columns that join_plain needs, none that it ignores
   bool with_places_ = false, with_components_ = false;
-  std::int64_t deep_ = 0, walls_ = 0;
+  std::int64_t deep_ = 0, long_springs_ = 0, walls_ = 0;
 };
-
-/// |f_t|/|f_n| that a tenth of the contacts reach: the friction coefficient, where discs slide.
-double large_ratio(const std::vector<Contact>& contacts) {
-  std::vector<double> ratios;
-  ratios.reserve(contacts.size());
-  for (const Contact& contact : contacts) {
-    const double normal = contact.force.dot(contact.normal);
-    const double tangential = contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x()));
-    ratios.push_back(normal == 0 ? 0 : std::abs(tangential / normal));
-  }
-  const auto tenth = ratios.end() - 1 - std::ssize(ratios) / 10;
-  std::nth_element(ratios.begin(), tenth, ratios.end());
-  return *tenth;
-}
-
-/// Springs act against their displacement: -f_t xi > 0. A tangential force in the spring columns does not,
-/// nor does the slip of 2 relative to 1, which shows in a frame with many contacts; a dashpot parallel to the
-/// spring reverses f_t in some of them.
-void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>& contacts, bool closely) {
-  constexpr std::size_t enough = 20;
-  constexpr ColumnSet shear = column_set(shearx, sheary);
-  const bool by_xi = (rows.given & column_set(xi)) != 0;
-  const bool given = by_xi ? closely : (rows.given & shear) == shear;
-  if (!given || contacts.size() < enough) return;
-  double along = 0, all = 0;
-  std::ptrdiff_t count_along = 0, count = 0;
-  const double limit = large_ratio(contacts);
-  for (const Contact& contact : contacts) {
-    const double tangential = contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x()));
-    const double work = tangential * contact.spring;
-    // Where discs slide, a dashpot beside the spring carries the whole limit, and the spring what is beyond.
-    constexpr double sticks = 0.9;
-    const double normal = contact.force.dot(contact.normal);
-    if (std::isnan(work) || std::abs(tangential) > sticks * limit * std::abs(normal)) continue;
-    along += work;
-    all += std::abs(work);
-    count_along += work > 0 ? 1 : 0;
-    count += work != 0 ? 1 : 0;
-  }
-  // In fast motion dashpots turn f_t round in half of the contacts, and in those of the largest forces.
-  constexpr double most = 0.75;
-  if (count >= std::ssize(contacts) / 4 && count >= static_cast<std::ptrdiff_t>(enough) &&
-      along > 0.5 * all && static_cast<double>(count_along) > most * static_cast<double>(count))
-    throw bad_input(
-        rows.place(0),
-        by_xi ? "xi has the sign of the tangential forces on the whole: no springs (forces in this column, "
-                "slip of disc 2 against disc 1? or forces on disc 2?)"
-              : "shearx sheary point along the tangential forces: no springs",
-        fmt::format("springs, which pull back (f_t = -k_t {})", by_xi ? "xi" : "shear"), "another quantity");
-}
-
-/// f_t/xi over f_n/overlap is about k_t/k_n, near 1, for contacts that stick and, with both at the Coulomb
-/// limit, for those that slide; dashpots scatter it. A sample suffices in frames not checked closely.
-void note_size_of_springs(const std::vector<Contact>& contacts, const ContactRules& rules) {
-  constexpr std::size_t enough = 20, sample = 40;
-  constexpr double most = 100, never = 300;
-  double tangential = 0, springs = 0, normal = 0, overlaps = 0;
-  std::size_t count = 0;
-  const std::size_t stride = rules.closely || contacts.empty() ? 1 : 1 + (contacts.size() - 1) / sample;
-  for (std::size_t i = 0; i < contacts.size(); i += stride) {
-    const Contact& contact = contacts[i];
-    if (!(std::abs(contact.spring) > 0)) continue;
-    const double pushing = -contact.force.dot(contact.normal);
-    ++count;
-    tangential += std::abs(contact.force.dot(Vector2d(-contact.normal.y(), contact.normal.x())));
-    springs += std::abs(contact.spring);
-    normal += std::abs(pushing);
-    overlaps += std::abs(contact.overlap);
-  }
-  if (count < enough || !(tangential > 0 && normal > 0)) return;
-  const double ratio = tangential / springs * overlaps / normal;
-  const auto beyond = [&](double bound) { return ratio > bound || ratio < 1 / bound; };
-  constexpr const char* text =
-      "f_t over the tangential springs is not within a factor of a hundred of f_n over the overlaps "
-      "(springs of another unit, or another quantity in their column?)";
-  // A metre taken for a millimetre is no matter of fast motion: one frame tells.
-  if (beyond(never))
-    rules.notes->add(text, rules.step);
-  else if (rules.closely)
-    rules.notes->judge(text, beyond(most), rules.step);
-}
 
 }  // namespace
 
@@ -401,18 +277,25 @@ std::vector<Contact> join_contacts(const ContactRows& rows, const ContactDiscs& 
   const auto left_out = static_cast<std::int64_t>(row_of.left_out());
   if (rules.notes == nullptr) return contacts;
   note_size_of_springs(contacts, rules);
+  note_springs_without_force(contacts, rules);
   if (joiner.walls() > 0) {
     note_wall_forces(contacts, rules);
     note_walls_twice(contacts, discs.particles, *rules.notes, rules.step);
   }
   if (left_out > 0)
-    rules.notes->add("near pairs without force that do not touch are no contacts, left out", rules.step,
-                     left_out);
+    rules.notes->add("near pairs that neither touch nor exert forces are not contacts and are left out",
+                     rules.step, left_out);
   if (joiner.deep() > 0)
     rules.notes->add(
         "contacts overlap by more than half of the smaller radius (k_n too small for the load, or a density "
         "in kg/m^3 where rho h in kg/m^2 was meant?)",
         rules.step, joiner.deep());
+  if (joiner.long_springs() > 0)
+    rules.notes->add(
+        "tangential springs are longer than the radius of a disc and than a hundred overlaps (damaged rows, "
+        "or "
+        "another quantity in their column?)",
+        rules.step, joiner.long_springs());
   return contacts;
 }
 

@@ -35,7 +35,8 @@ struct ContactRules {
 /// image. If there is no column for it, the overlap is a_1 + a_2 - |r_1 - r_2| (a_2 = 0 for a wall) or
 /// follows from dist; the force follows from fn and ft if fx and fy are missing, and the spring from shearx,
 /// sheary if xi is. Rows without force whose discs do not touch are neighbour pairs rather than contacts:
-/// they are left out and noted. Overlaps of more than half the smaller radius are noted as well.
+/// they are left out and noted. Overlaps of more than half the smaller radius are noted as well, and
+/// tangential springs longer than a radius.
 ///
 /// Throws on: an id without a particle; positions, normal, overlap or distance of a row that disagree with
 /// its discs beyond the precision of the files; a force between discs that do not touch, unless the rules

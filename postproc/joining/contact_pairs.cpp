@@ -135,8 +135,9 @@ void note_walls_twice(const std::vector<Contact>& contacts, const std::vector<Pa
     }
   }
   if (twice > 0)
-    notes.add("discs touch two walls on the same side by the same overlap (a wall defined or listed twice?)",
-              step, twice);
+    notes.add(
+        "discs touch two walls on the same side with the same overlap (a wall defined or listed twice?)",
+        step, twice);
 }
 
 }  // namespace mikromakro

@@ -200,13 +200,13 @@ void note_overlaps(const RawFrame& raw, const std::vector<Contact>& contacts, co
   });
   if (on_one_another > 0)
     rules.notes->add(
-        "discs lie on one another, by more than half a radius (radii of another unit, or diameters? a "
-        "periodic box that is too short? a packing that is there twice?); looked for now and then",
+        "discs overlap by more than half a radius (radii in another unit, or diameters? a periodic box that "
+        "is too short? a packing that was read twice?); checked only in some frames",
         raw.step, on_one_another);
   if (unlisted > 0)
     rules.notes->add(
-        "discs overlap but have no row of a contact, which stress, fabric and coordination lack (rows of a "
-        "group only, or of another run?); looked for now and then",
+        "discs overlap but have no contact row: such contacts are missing from stress, fabric and "
+        "coordination (rows of a group only, or from another run?); checked only in some frames",
         raw.step, unlisted);
 }
 

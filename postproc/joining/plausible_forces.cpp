@@ -44,8 +44,8 @@ void note_forces(const std::vector<Contact>& contacts, const ContactRules& rules
   // A few collisions may carry most of the force, so the sample need not be representative.
   const bool pull = some.is_none() && push_of(contacts, 1, false).is_none();
   constexpr const char* text =
-      "contacts pull on the whole, or their forces are across (ids or columns exchanged? forces on the "
-      "other disc?); without cohesion or strong dashpots they push";
+      "contacts are attractive on average, or their forces are mostly tangential (ids or columns swapped? "
+      "forces on the other disc?); without cohesion or strong dashpots they repel";
   // Few discs may all be rebounding.
   if (some.count >= Push::many) {
     if (pull) rules.notes->add(text, rules.step);
@@ -67,8 +67,8 @@ void note_wall_forces(const std::vector<Contact>& contacts, const ContactRules& 
       "forces of walls are hundreds of times those of pairs of discs, on average (another unit?)",
       pairs.count >= Push::few && pairs.all > 0 && walls.mean() > most * pairs.mean(), rules.step);
   rules.notes->judge(
-      "walls pull on the whole, or their forces are across (forces on the wall? columns exchanged?); the "
-      "force is the one on the disc, and without adhesion walls push",
+      "walls are attractive on average, or their forces are mostly tangential (forces on the wall? columns "
+      "swapped?); the force must be that on the disc, and without adhesion walls repel",
       walls.is_none(), rules.step);
 }
 
@@ -90,7 +90,7 @@ void note_derived_overlaps(const RawFrame& raw, const std::vector<Contact>& cont
   if (overlaps < lost / 3)
     rules.notes->add(
         "overlaps are not in the rows, and smaller than the digits of the coordinates: strain and stiffness "
-        "are not known (dump the overlap, or more digits)",
+        "are unknown (dump the overlap, or more digits)",
         rules.step);
 }
 

@@ -97,8 +97,9 @@ bool RowBranch::both_inside(const RowView& row) const {
 }
 
 void RowBranch::refuse_images(const RowView& row) const {
-  throw bad_input(rows_.place(row.index), "the discs touch through two images, the row does not say which",
-                  "columns nx ny", "none");
+  throw bad_input(rows_.place(row.index),
+                  "the discs touch through two images, and the row does not say which", "columns nx ny",
+                  "none");
 }
 
 }  // namespace mikromakro

@@ -24,10 +24,10 @@ void check_contact_row(const ContactRow& row, ColumnSet given, bool guessed, con
   for (const ContactColumn column : {id1, id2}) {
     const double id = row[column];
     if (!is_integer(id))
-      throw bad_input(place, with_hint("an id is no whole number", guessed), "a whole number",
+      throw bad_input(place, with_hint("an id is not a whole number", guessed), "a whole number",
                       fmt::format("{}", id));
   }
-  throw bad_input(place, with_hint("the normal is no unit vector", guessed),
+  throw bad_input(place, with_hint("the normal is not a unit vector", guessed),
                   "length 1 within 1e-5 (six digits)", fmt::format("{}", std::hypot(row[nx], row[ny])));
 }
 

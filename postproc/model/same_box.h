@@ -13,14 +13,14 @@ bool jumps(const Box& before, const Box& after);
 
 /// The note if the number of discs changes as well.
 inline constexpr const char* another_system =
-    "the box and the number of discs are not those of the frames before (another run?)";
+    "the box and the number of discs are not those of the earlier frames (another run?)";
 
 /// Whether a side along a periodic axis more than doubles or halves, which hardly occurs within a run from
 /// one frame to the next. Other sides may be shrink-wrapped.
 bool is_another(const Box& before, const Box& after);
 
 inline constexpr const char* another_box =
-    "a side of the box is more than twice or less than half as long as in the frame before (a damaged "
+    "a side of the box is more than twice or less than half as long as in the previous frame (a damaged "
     "header?)";
 
 /// Throws if the box has zero width along a periodic axis, or if its bounds are out of order.

@@ -24,6 +24,7 @@ BlockErrors add_errors(const Averager& averager, const TimeAverage& sums, Table&
 void add_average_options(CLI::App& app, AverageOptions& options) {
   add_volume_options(app, options.volumes);
   add_weight_option(app, options.volumes);
+  add_components_option(app, options.volumes);
   add_field_options(app, options.fields);
   app.add_option("--error-blocks", options.error_blocks,
                  "blocks of frames that are kept for standard errors, default 64, or up to 1024 where they "
@@ -43,12 +44,12 @@ std::unique_ptr<const Averager> make_averager(const AverageOptions& options) {
 void check_use(const VolumeOptions& given, const Averager& averager) {
   if (!given.branch.empty() && !averager.uses_branches())
     throw bad_input(
-        {"--branch"}, "none of the fields takes it",
-        "stress, elastic_strain, couple_stress, curvature or what follows from them among --fields",
+        {"--branch"}, "none of the fields uses it",
+        "stress, elastic_strain, couple_stress, curvature or a field derived from them in --fields",
         in_quotes(given.branch));
   if (given.height > 0 && !averager.uses_height())
-    throw bad_input({"--height"}, "none of the fields takes it",
-                    "stresses or what follows from them among --fields", fmt::format("{}", given.height));
+    throw bad_input({"--height"}, "none of the fields uses it",
+                    "stresses or a field derived from them in --fields", fmt::format("{}", given.height));
 }
 
 std::size_t error_blocks(const AverageOptions& options, const Averager& averager) {

@@ -17,17 +17,18 @@ std::string of_runs(const FieldErrors& made) {
 // For runs that differ, that change as slowly as they last, or that are many.
 std::string report_by_runs(const FieldErrors& made) {
   const ErrorDecision& decision = made.decision;
-  std::string why = fmt::format("as always from eight runs of about one length on{}", of_runs(made));
+  std::string why = fmt::format("as always for eight or more runs of about the same length{}", of_runs(made));
   if (made.between.differ())
-    why = fmt::format("runs differ by more than their frames tell{}", of_runs(made));
+    why = fmt::format("runs differ by more than their frames explain{}", of_runs(made));
   else if (made.slow.shows())
     why = fmt::format(
-        "something changes as slowly as a run lasts (its slowest wave squared is {:.2g} times the next ones)",
+        "something changes over times as long as a run (its slowest wave squared is {:.2g} times the next "
+        "ones)",
         made.slow.ratio);
   if (decision.given)
     return fmt::format("{}: from the spread of the runs, {:.3g} degrees of freedom; {}", made.field.name,
                        decision.freedom, why);
-  return fmt::format("{}: none, {}; four runs of one length would do", made.field.name, why);
+  return fmt::format("{}: none, {}; four runs of the same length would suffice", made.field.name, why);
 }
 
 std::string report(const FieldErrors& made) {
@@ -40,8 +41,9 @@ std::string report(const FieldErrors& made) {
       fmt::format("{}: {}2 tau = {:.3g} +- {:.2g} frames", made.field.name, decision.given ? "" : "none, ",
                   correlation.time, correlation.time * correlation.uncertainty);
   if (decision.unlike)
-    return fmt::format("{}, but it differs from series to series by {:.0f} %, more than each knows its own",
-                       time, 100 * correlation.scatter);
+    return fmt::format(
+        "{}, but it differs from series to series by {:.0f} %, more than its uncertainty in each", time,
+        100 * correlation.scatter);
   if (!decision.given)
     return fmt::format("{}, {:.3g} effective samples of the {:.3g} that are needed", time, decision.samples,
                        std::ceil(decision.needed));
@@ -87,10 +89,9 @@ std::string summary_of(const BlockErrors& errors, bool known, const std::string&
 std::string doubt_of(const BlockErrors& errors) {
   const bool repeat = std::any_of(errors.fields.begin(), errors.fields.end(),
                                   [](const FieldErrors& made) { return made.between.repeat(); });
-  return repeat
-             ? "two runs are nearer to each other than independent ones are (one run twice?); errors are too "
-               "small then"
-             : "";
+  return repeat ? "two runs are closer to each other than independent runs are (one run twice?); errors are "
+                  "then too small"
+                : "";
 }
 
 void describe_errors(const BlockErrors& errors, const TimeAverage& average, Preamble& lines) {
@@ -105,8 +106,8 @@ void describe_errors(const BlockErrors& errors, const TimeAverage& average, Prea
                                   [](const FieldErrors& made) { return made.between.differ(); });
   if (differ)
     lines.emplace_back("note",
-                       "runs differ by more than their frames tell: their errors are those of packings, and "
-                       "more frames of the same runs do not make them smaller");
+                       "runs differ by more than their frames explain: their errors are those of packings, "
+                       "and more frames of the same runs do not make them smaller");
   if (const std::string doubt = doubt_of(errors); !doubt.empty()) lines.emplace_back("note", doubt);
   if (!errors.all() && average.block_length() > 1)
     lines.emplace_back("note",

@@ -19,7 +19,7 @@ void add_field_options(CLI::App& app, FieldChoice& choice) {
   app.add_option("--mu", choice.numbers.friction_coefficient, "coefficient of friction, for sliding_fraction")
       ->check(positive());
   app.add_option("--histogram", choice.numbers.histogram_bins,
-                 "BINS: adds contact_angle_histogram with so many bins")
+                 "BINS: adds contact_angle_histogram with this many bins")
       ->transform(whole_number(1, 3600));
   app.add_option("--fields", choice.names,
                  fmt::format("all, or names of {}; default {}", fmt::join(field_names(), ","),
@@ -41,10 +41,10 @@ void check_use(const FieldChoice& choice) {
   };
   if (choice.numbers.normal_stiffness > 0 && !averaged("stiffness") && !averaged("curvature") &&
       !averaged("rotational_stiffness"))
-    throw bad_input({"--kn"}, "none of the fields takes it", "stiffness, curvature or rotational_stiffness",
+    throw bad_input({"--kn"}, "none of the fields uses it", "stiffness, curvature or rotational_stiffness",
                     fmt::format("{}", fmt::join(names, ",")));
   if (choice.numbers.friction_coefficient > 0 && !averaged("sliding_fraction"))
-    throw bad_input({"--mu"}, "none of the fields takes it", "sliding_fraction among --fields",
+    throw bad_input({"--mu"}, "none of the fields uses it", "sliding_fraction in --fields",
                     names.empty() ? "the default fields" : fmt::format("{}", fmt::join(names, ",")));
 }
 

@@ -24,7 +24,7 @@ void note_volumes(const Frame& frame, const VolumeOptions& volumes, Notes& notes
 /// than 2 %, from the mean overlap over the mean diameter.
 void note_branch(const Frame& frame, const VolumeOptions& volumes, Notes& notes);
 
-/// Notes if, in half of the frames, more than a tenth of a sample of contacts carry |f_t| > mu |f_n|, or
+/// Notes if, in half of the frames that show it, most contacts at or above |f_t| = mu |f_n| are above it, or
 /// several have one and the same largest ratio below mu. Does nothing for 0.
 void note_friction(const Frame& frame, double mu, Notes& notes);
 

@@ -31,7 +31,7 @@ CLI::Validator number(bool (*good)(double), std::string_view expected, const std
   return {[good, expected](std::string& text) {
             const std::optional<double> value = number_of(text);
             if (!value) return unless(false, "not a number", expected, text);
-            return unless(std::isfinite(*value) && good(*value), "the value makes no sense", expected, text);
+            return unless(std::isfinite(*value) && good(*value), "invalid value", expected, text);
           },
           name};
 }
@@ -48,7 +48,7 @@ std::optional<std::int64_t> whole_of(std::string_view text) {
 // Catches scripts with an unset variable.
 CLI::Validator not_empty() {
   return {[](std::string& text) {
-            return unless(!text.empty(), "an empty value", "something, or no such option", text);
+            return unless(!text.empty(), "an empty value", "a value, or omit the option", text);
           },
           ""};
 }
@@ -66,7 +66,7 @@ std::vector<std::string_view> option_names(const CLI::App& app, std::vector<std:
 std::string of_extra_word(const CLI::App& app, const std::string& word, std::string_view listed) {
   std::vector<std::string> names;
   const bool is_option = word.starts_with('-');
-  return fmt::format("{}; expected {}, got {}", is_option ? "unknown option" : "a word too many", listed,
+  return fmt::format("{}; expected {}, got {}", is_option ? "unknown option" : "unexpected argument", listed,
                      is_option ? in_quotes_with_guess(word, option_names(app, names)) : in_quotes(word));
 }
 
@@ -97,8 +97,7 @@ CLI::Validator whole_number(std::int64_t low, std::int64_t high) {
   return {[=](std::string& text) {
             const std::optional<std::int64_t> value = whole_of(text);
             if (value) text = fmt::format("{}", *value);  // without leading zeros
-            return unless(value && *value >= low && *value <= high, "the value makes no sense", expected,
-                          text);
+            return unless(value && *value >= low && *value <= high, "invalid value", expected, text);
           },
           fmt::format("{} to {}", low, high)};
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "averaging/volumes/cartesian_components.h"
 #include "averaging/volumes/grid_volumes.h"
 #include "averaging/volumes/ring_volumes.h"
 #include "averaging/volumes/sector_volumes.h"
@@ -54,7 +55,7 @@ std::unique_ptr<const Volumes> box_of(const VolumeOptions& options) {
                                              thickness(options));
 }
 
-// Exactly one kind of volume, and sectors only with rings.
+// Exactly one kind of volume, sectors and polar components only with rings.
 void check_choice(const VolumeOptions& options) {
   std::vector<std::string_view> given;
   if (!options.rings.empty()) given.emplace_back("--rings");
@@ -62,23 +63,34 @@ void check_choice(const VolumeOptions& options) {
   if (!options.grid.empty()) given.emplace_back("--grid");
   if (!options.box.empty()) given.emplace_back("--box");
   if (given.size() != 1)
-    throw bad_input({"--rings"}, "the volumes are not clear", "one of --rings, --edges, --grid, --box",
+    throw bad_input({"--rings"}, "the volumes are ambiguous", "one of --rings, --edges, --grid, --box",
                     given.empty() ? "none" : fmt::format("{}", fmt::join(given, " ")));
   const bool rectangles = !options.grid.empty() || !options.box.empty();
   if (options.sectors > 0 && rectangles)
     throw bad_input({"--sectors"}, "only rings have sectors", "--rings or --edges", std::string(given[0]));
+  if (!options.components.empty() && options.components != "polar" && options.components != "cartesian")
+    throw bad_input({"--components"}, "unknown components", "polar or cartesian",
+                    in_quotes(options.components));
+  if (options.components == "polar" && rectangles)
+    throw bad_input({"--components"}, "only rings have polar components", "--rings or --edges, or cartesian",
+                    std::string(given[0]));
   if (!options.center.empty() && rectangles)
     throw bad_input({"--center"}, "only rings have a centre", "--rings or --edges", std::string(given[0]));
 }
 
-std::unique_ptr<const Volumes> volumes_of(const VolumeOptions& options) {
-  if (!options.grid.empty()) return grid_of(options);
-  if (!options.box.empty()) return box_of(options);
+std::unique_ptr<const Volumes> polar_volumes_of(const VolumeOptions& options) {
   auto rings =
       std::make_unique<const RingVolumes>(ring_centre(options), ring_edges(options), thickness(options));
   if (options.sectors == 0) return rings;
   check_total(static_cast<double>(rings->count()) * options.sectors, "--sectors");
   return std::make_unique<const SectorVolumes>(std::move(rings), options.sectors);
+}
+
+std::unique_ptr<const Volumes> volumes_of(const VolumeOptions& options) {
+  if (!options.grid.empty()) return grid_of(options);
+  if (!options.box.empty()) return box_of(options);
+  if (options.components != "cartesian") return polar_volumes_of(options);
+  return std::make_unique<const CartesianComponents>(polar_volumes_of(options));
 }
 
 // Overall length of all volumes.
@@ -116,7 +128,8 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
   app.add_option("--center", options.center, "X Y: centre of the rings (m), default 0 0")
       ->expected(2)
       ->allow_extra_args(false);
-  app.add_option("--edges", options.edges, "R0,R1,...: own radii of the rings (m)")->delimiter(',');
+  app.add_option("--edges", options.edges, "R0,R1,...: edges of the rings (m), instead of equal rings")
+      ->delimiter(',');
   app.add_option("--sectors", options.sectors, "M: each ring is divided into M equal sectors")
       ->transform(whole_number(1, static_cast<std::int64_t>(most_volumes)));
   app.add_option("--grid", options.grid, "XMIN XMAX NX YMIN YMAX NY: NX by NY equal rectangles (m)")
@@ -126,15 +139,20 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
       ->expected(4)
       ->allow_extra_args(false);
   app.add_option("--height", options.height,
-                 "thickness of the discs (m); default that of the snapshots, or none: stresses are forces "
-                 "per length then")
+                 "thickness of the discs (m); default that of the snapshots, or none: stresses are then "
+                 "forces per length")
       ->check(positive());
-  app.add_option("--bulk-types", options.bulk_types, "types that are averaged, default all")->delimiter(',');
-  app.add_option(
-      "--branch", options.branch,
-      "branch vector: radius (a_p n; default but for kernels) or contact (to the contact point; default "
-      "for kernels)");
+  app.add_option("--bulk-types", options.bulk_types, "types to average, default all")->delimiter(',');
+  app.add_option("--branch", options.branch,
+                 "branch vector: radius (a_p n; default except for kernels) or contact (to the contact "
+                 "point; default for kernels)");
   app.option_defaults()->group("Options");
+}
+
+void add_components_option(CLI::App& app, VolumeOptions& options) {
+  app.add_option("--components", options.components,
+                 "of vectors and tensors: polar (default for rings and sectors) or cartesian (mean of the "
+                 "Cartesian components, not the mean polar ones rotated)");
 }
 
 void add_weight_option(CLI::App& app, VolumeOptions& options, const std::string& choice) {
@@ -185,12 +203,13 @@ std::string_view volume_option(const VolumeOptions& options) {
 }
 
 bool are_rings(const VolumeOptions& options) {
-  return options.grid.empty() && options.box.empty() && options.sectors == 0;
+  return options.grid.empty() && options.box.empty() && options.sectors == 0 &&
+         options.components != "cartesian";
 }
 
 std::vector<double> ring_edges(const VolumeOptions& options) {
   if (options.rings.empty() == options.edges.empty()) {
-    throw bad_input({"--rings"}, "the volumes are not clear", "either --rings or --edges",
+    throw bad_input({"--rings"}, "the volumes are ambiguous", "either --rings or --edges",
                     options.rings.empty() ? "none" : "both");
   }
   if (!options.edges.empty()) return options.edges;
@@ -228,6 +247,7 @@ void describe_volumes(const VolumeOptions& options, Preamble& lines, bool with_w
   add("edges", options.edges, ",");
   add("grid", options.grid, " ");
   add("box", options.box, " ");
+  if (options.components == "cartesian") lines.emplace_back("components", options.components);
   if (options.sectors > 0) lines.emplace_back("sectors", fmt::format("{}", options.sectors));
   if (options.grid.empty() && options.box.empty()) {
     const Eigen::Vector2d centre = ring_centre(options);

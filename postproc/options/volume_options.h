@@ -15,12 +15,15 @@ namespace mikromakro {
 struct VolumeOptions {
   std::vector<double> rings, center, edges, grid, box;  ///< no centre: the origin
   int sectors = 0;                                      ///< 0: whole rings
+  std::string components = {};                          ///< cartesian, or none: polar for rings
   std::string weight = "sliced", branch;                ///< no branch: the one implied by the weight
   double height = 0;                                    ///< 0: not known
   std::vector<int> bulk_types;
 };
 
 void add_volume_options(CLI::App& app, VolumeOptions& options);
+/// Adds --components, for verbs that write components of rings and sectors.
+void add_components_option(CLI::App& app, VolumeOptions& options);
 /// Adds --weight, for verbs that use a single weight; `choice` is its help text.
 void add_weight_option(CLI::App& app, VolumeOptions& options, const std::string& choice = {});
 
@@ -42,7 +45,7 @@ bool is_plausible_height(double height, double radius);
 /// The option that defines the volumes, for messages.
 std::string_view volume_option(const VolumeOptions& options);
 
-/// Whether the volumes are a sequence of whole rings, which some fields need.
+/// Whether the volumes are a sequence of whole rings with polar components, which some fields need.
 bool are_rings(const VolumeOptions& options);
 
 /// The averager for these options. Throws on contradictory or meaningless options.

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/error.h"
 #include "options/value_checks.h"
 
@@ -44,6 +46,21 @@ WindowRule rule_of(const WindowOptions& options) {
 std::string_view window_option(const WindowOptions& options) {
   if (options.moving > 0) return "--moving";
   return options.per_frame ? "--per-frame" : "--every";
+}
+
+void check_windows(const WindowOptions& options, const Windows& windows, Notes& notes) {
+  const std::int64_t frames = rule_of(options).frames;
+  std::int64_t most = 0;
+  for (const Windows::Rest& rest : windows.rests()) {
+    most = std::max(most, rest.frames);
+    notes.add(
+        fmt::format("frames at the end of run {} that do not fill a window of {} are left out: {}, "
+                    "steps {} to {}",
+                    rest.run + 1, frames, rest.frames, rest.first_step, rest.last_step));
+  }
+  if (windows.windows() == 0)
+    throw bad_input({window_option(options)}, "no run fills a window",
+                    fmt::format("at most {}, the selected frames of a run", most), fmt::format("{}", frames));
 }
 
 void describe_windows(const WindowOptions& options, std::int64_t windows, Preamble& lines) {

@@ -7,6 +7,7 @@
 
 #include "averaging/windows.h"
 #include "io/tables/csv_writer.h"
+#include "model/notes.h"
 
 namespace mikromakro {
 
@@ -29,6 +30,9 @@ WindowRule rule_of(const WindowOptions& options);
 
 /// The option that asks for the windows, with its dashes.
 std::string_view window_option(const WindowOptions& options);
+
+/// Throws if no window is full; else notes the frames that are left out. Call after the last frame.
+void check_windows(const WindowOptions& options, const Windows& windows, Notes& notes);
 
 /// Header lines of a table.
 void describe_windows(const WindowOptions& options, std::int64_t windows, Preamble& lines);

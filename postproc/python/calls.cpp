@@ -58,14 +58,20 @@ py::tuple average_call(const py::dict& keywords, const py::list& fields, py::obj
   return table_of(result.table.lines, result.table.table) + py::make_tuple(text_of(result.error_report));
 }
 
-// JSON, and the text that the program prints.
+// A table of windows, or None.
+py::object windows_of(const Preamble& header, const Table& table) {
+  if (table.columns.empty()) return py::none();
+  return table_of(header, table);
+}
+
+// JSON, the text that the program prints, the table of windows.
 py::tuple fit_call(const py::dict& keywords, py::object warn) {
   FitOptions options;
   CLI::App app;
   add_fit_options(app, options);
   set_options(app, "fit", keywords);
-  const FitReport report = in_turn({py::none(), std::move(warn)}, [&] { return fit(options); });
-  return py::make_tuple(text_of(json_of(report)), text_of(report));
+  const FitResult result = in_turn({py::none(), std::move(warn)}, [&] { return fit(options); });
+  return py::make_tuple(text_of(result.json), result.text, windows_of(result.lines, result.of_windows));
 }
 
 py::tuple audit_call(const py::dict& keywords, py::object progress, py::object warn) {
@@ -74,11 +80,12 @@ py::tuple audit_call(const py::dict& keywords, py::object progress, py::object w
   add_audit_options(app, options);
   set_options(app, "audit", keywords);
   const AuditReport report = in_turn({std::move(progress), std::move(warn)}, [&] { return audit(options); });
-  check_bound(report.balances, options.bound);
+  check_bound(report, options.bound);
   py::list balances;
   for (const Balance& one : report.balances)
     balances.append(py::make_tuple(one.name, one.value, one.text, one.judged));
-  return py::make_tuple(text_of(report.json), report.text, balances);
+  return py::make_tuple(text_of(report.json), report.text, balances,
+                        windows_of(report.lines, report.of_windows));
 }
 
 std::vector<std::string> draw_call(const py::dict& keywords, py::object progress, py::object warn) {

@@ -88,8 +88,8 @@ FILES = "input: Text | Sequence[Text] | None = None, /, *"
 # verb: arguments of its own, what it returns
 VERBS = {"average": (f"{FILES}, fields: str | Field | Sequence[str | Field] | None = None, progress: Progress = False", "Result"),
          "frames": (FILES, "Iterator[Frame]"),
-         "fit": ("tables: Result | Text | Sequence[Result | Text], /, *", "Report"),
-         "audit": (f"{FILES}, progress: Progress = False", "Audit"),
+         "fit": ("tables: Result | Text | Sequence[Result | Text], /, *", "Report | Result"),
+         "audit": (f"{FILES}, progress: Progress = False", "Audit | Result"),
          "draw": (f"{FILES}, out: Text | None = None, progress: Progress = False", "list[Picture]")}
 
 

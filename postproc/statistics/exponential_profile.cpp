@@ -131,7 +131,7 @@ Fitted fit_velocity(const Points& points) {
 Fitted fit_logarithm(const Points& points, bool weighted) {
   const double sign = sign_of(points);
   if ((sign * points.v <= 0).any())
-    throw run_failed("log v is not defined in all rings, some of which are 0 or of the other sign",
+    throw run_failed("log v is undefined in some rings, where v is 0 or has the other sign",
                      "values of one sign, or a --range where they are",
                      fmt::format("{} to {}", points.v.minCoeff(), points.v.maxCoeff()));
   const Eigen::ArrayXd weight = weighted ? Eigen::ArrayXd(points.weight * points.v.square()) : points.weight;

@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "verbs/audits.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "model/error.h"
+#include "verbs/audit_windows.h"
+#include "verbs/audits.h"
 #include "verbs/coverage.h"
 #include "verbs/run_constants.h"
 #include "verbs/warnings.h"
 
 namespace mikromakro {
 namespace {
-
-bool of_rings(const VolumeOptions& volumes) {
-  return !volumes.rings.empty() || !volumes.edges.empty();
-}
 
 void check_in_one_list(const AuditOptions& options) {
   const std::vector<int>& bulk = options.volumes.bulk_types;
@@ -31,11 +27,17 @@ void check_in_one_list(const AuditOptions& options) {
 void check_wheel_is_no_bulk(const AuditOptions& options) {
   if (!options.wheel_types.empty() && options.volumes.bulk_types.empty())
     throw bad_input({"--wheel-types"}, "the discs of the wheel would be averaged, too",
-                    "--bulk-types beside it, without those of the wheel", "none");
+                    "--bulk-types as well, without those of the wheel", "none");
 }
 
-// Completes the options from the files, and checks that what they refer to exists.
+}  // namespace
+
+bool of_rings(const VolumeOptions& volumes) {
+  return !volumes.rings.empty() || !volumes.edges.empty();
+}
+
 void complete(AuditOptions& options) {
+  check_windows(options.windows);
   check_in_one_list(options);
   const FrameSource source = frame_source(options.input);
   take_height(source, options.volumes.height);
@@ -55,13 +57,15 @@ void complete(AuditOptions& options) {
   tell(*source.notes);
 }
 
-}  // namespace
-
 AuditReport audit(AuditOptions options) {
   complete(options);
+  const bool rings = of_rings(options.volumes);
   AuditReport report;
-  reading_again(options.input,
-                [&] { report = of_rings(options.volumes) ? audit_rings(options) : audit_box(options); });
+  reading_again(options.input, [&] {
+    report = options.windows.any() ? audit_windows(options, rings ? ring_auditor : box_auditor)
+             : rings               ? audit_rings(options)
+                                   : audit_box(options);
+  });
   return report;
 }
 

@@ -31,17 +31,18 @@ void add_audit_options(CLI::App& app, AuditOptions& options) {
                     "sliced (default for rings), centre (default for --grid), or a kernel of width W in m: "
                     "gauss:W, lucy:W, wendland:W, tophat:W; one box: centre");
   app.add_option("--wheel-types", options.wheel_types,
-                 "types of the wheel's discs; the inner wall counts too (rings)")
+                 "types of the discs that form the wheel; the inner wall is part of it, too (rings)")
       ->delimiter(',');
   app.add_option("--margin", options.margin,
                  "rings nearer than this to the first and last edge are shown but not judged (m), default 0")
       ->check(not_negative());
   app.add_option("--kn", options.kn,
-                 "normal stiffness k_n (N/m): forces of discs are set beside k_n overlap; default that of "
-                 "the snapshots")
+                 "normal stiffness k_n (N/m): forces between discs are compared with k_n overlap; default "
+                 "that of the snapshots")
       ->check(positive());
-  app.add_option("--bound", options.bound, "exit code 1 when a balance is off by more than this part")
+  app.add_option("--bound", options.bound, "exit code 1 when a balance is off by more than this fraction")
       ->check(not_negative());
+  add_window_options(app, options.windows);
   app.add_flag("--json", options.json, "print JSON");
   app.add_flag("--quiet", options.quiet, "no progress bar");
 }
@@ -55,6 +56,7 @@ std::int64_t read_frames(const FrameSource& source, const AuditOptions& options,
   while (stream.next(frame)) {
     const bool covered = take(frame);
     runs.add(frame.run, !covered);
+    note_volumes(frame, options.volumes, *source.notes);
     if (options.kn_given) note_stiffness(frame, options.kn, *source.notes);
     progress.update(stream.bytes_read(), ++frames);
   }

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "options/volume_options.h"
+#include "options/window_options.h"
 #include "verbs/audit_report.h"
 #include "verbs/input_options.h"
 
@@ -20,6 +21,7 @@ struct AuditOptions {
   bool kn_given = false;  ///< by the user, not by the files
   double bound = std::numeric_limits<double>::quiet_NaN();
   AuditUnits units;
+  WindowOptions windows;
   bool json = false;
   bool quiet = false;
 };

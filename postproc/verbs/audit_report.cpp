@@ -15,12 +15,14 @@ namespace mikromakro {
 Balance law_balance(const NormalForces& forces) {
   if (std::isnan(forces.stiffness()))
     return {"law", std::numeric_limits<double>::quiet_NaN(), "no contacts of two discs", false};
-  const std::string slope = fmt::format("f_n/overlap is {:.6g} N/m on the average", forces.stiffness());
+  const std::string slope = fmt::format("f_n/overlap is {:.6g} N/m on average", forces.stiffness());
   if (forces.stiffness_is_known())
     return {"law", forces.deviation(),
             "mean |f_n - k_n overlap| of two discs over the mean k_n overlap; " + slope};
   return {"law", forces.pulling(),
-          "part of the normal forces of two discs that pulls; without --kn, sizes are not judged: " + slope};
+          "fraction of the normal forces between discs that are attractive; without --kn, magnitudes are not "
+          "judged: " +
+              slope};
 }
 
 std::string number_or_dash(double value, int width, std::string_view format) {
@@ -49,6 +51,11 @@ void check_bound(const Balances& balances, double bound) {
   if (!off.empty())
     throw run_failed("balances are off", fmt::format("at most {}", bound),
                      fmt::format("{}", fmt::join(off, ", ")));
+}
+
+void check_bound(const AuditReport& report, double bound) {
+  if (report.off) throw Error(*report.off);
+  check_bound(report.balances, bound);
 }
 
 }  // namespace mikromakro

@@ -2,11 +2,14 @@
 // Results of an audit: as text, as JSON, and checked against a bound.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "audit/normal_forces.h"
+#include "io/tables/csv_writer.h"
 #include "io/tables/json.h"
+#include "model/error.h"
 
 namespace mikromakro {
 
@@ -27,9 +30,12 @@ using Balances = std::vector<Balance>;
 
 /// The result of an audit.
 struct AuditReport {
-  Balances balances;
-  std::string text;  ///< tables and balances
+  Balances balances = {};
+  std::string text;  ///< as the program prints it
   Json json;
+  Preamble lines = {};  ///< of windows: the header of their table, and this; else no columns
+  Table of_windows = {};
+  std::optional<Error> off = {};  ///< the first window with a balance that is off
 };
 
 /// Normal forces of the discs compared with their overlaps; without k_n, the fraction that is tensile.
@@ -43,5 +49,6 @@ void add_balances(Json& json, const Balances& balances);
 
 /// Throws (failed run) if a balance is off by more than the bound, or could not be evaluated. nan: no bound.
 void check_bound(const Balances& balances, double bound);
+void check_bound(const AuditReport& report, double bound);
 
 }  // namespace mikromakro

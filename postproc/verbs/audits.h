@@ -2,10 +2,37 @@
 // `audit`: balances over rings or a box.
 #pragma once
 
+#include <memory>
+
 #include "verbs/audit_input.h"
 #include "verbs/audit_report.h"
 
 namespace mikromakro {
+
+/// Whether the volumes are rings.
+bool of_rings(const VolumeOptions& volumes);
+
+/// Completes the options from the files, and checks that what they refer to exists.
+void complete(AuditOptions& options);
+
+/// The sums of one audit.
+class Auditor {
+ public:
+  Auditor() = default;
+  Auditor(const Auditor&) = delete;
+  Auditor& operator=(const Auditor&) = delete;
+  virtual ~Auditor() = default;
+
+  /// What to read for it.
+  virtual FrameSource source() const = 0;
+  /// Adds a frame; whether any averaged disc lies in the volumes.
+  virtual bool add(const Frame& frame, Notes& notes) = 0;
+  /// Of all frames so far.
+  virtual Balances balances() const = 0;
+};
+
+std::unique_ptr<Auditor> ring_auditor(const AuditOptions& options);
+std::unique_ptr<Auditor> box_auditor(const AuditOptions& options);
 
 /// Torque, radial momentum, forces on discs, volume over rings.
 AuditReport audit_rings(const AuditOptions& options);
@@ -14,7 +41,8 @@ AuditReport audit_rings(const AuditOptions& options);
 /// with neither, the rectangle between the walls of each frame.
 AuditReport audit_box(const AuditOptions& options);
 
-/// Either of them, as the options have it, with what they leave open taken from the files.
+/// Either of them, as the options have it, or of windows of frames; what the options leave open is taken from
+/// the files.
 AuditReport audit(AuditOptions options);
 
 }  // namespace mikromakro

@@ -14,6 +14,7 @@
 #include "options/plausible_options.h"
 #include "verbs/memory_need.h"
 #include "verbs/run_constants.h"
+#include "verbs/steady_part.h"
 #include "verbs/warnings.h"
 #include "verbs/window_averages.h"
 
@@ -25,6 +26,7 @@ struct Task {
   AverageOptions options;  // completed with the constants from the files
   std::unique_ptr<const Averager> averager;
   FrameSource source;
+  std::string steady;                       // why it begins where it does, if it was cut
   std::unique_ptr<TableOutputs> outputs;    // on rank 0, as are those below; if requested
   std::unique_ptr<WindowAverages> windows;  // in place of it, if requested
   std::unique_ptr<OutputFile> blocks;       // if requested
@@ -35,10 +37,10 @@ void check_json(const AverageOptions& options) {
   const bool table_on_stdout =
       options.out.empty() || std::find(options.out.begin(), options.out.end(), "-") != options.out.end();
   if (table_on_stdout)
-    throw bad_input({"--json"}, "the table would stand on standard output too", "--out FILE",
+    throw bad_input({"--json"}, "the table would go to standard output as well", "--out FILE",
                     options.out.empty() ? "no --out" : "--out -");
   if (options.error_blocks == 0)
-    throw bad_input({"--json"}, "there are no errors to tell of", "--error-blocks above 0", "0");
+    throw bad_input({"--json"}, "no standard errors are computed", "--error-blocks above 0", "0");
 }
 
 // Both are of one table.
@@ -128,14 +130,14 @@ void note_crowded(const Task& task, const Averaged& averaged) {
   constexpr double overlaps = 0.05;
   if (2 * (table.rows.col(nu - table.columns.begin()) > 1 + overlaps).count() > table.rows.rows())
     tell(
-        "nu is above 1 in most volumes: discs are larger than the volume that they are in (radii of another "
-        "unit, or "
-        "diameters?)");
+        "nu is above 1 in most volumes: discs are larger than the volume that they are in (radii in another "
+        "unit, or diameters?)");
 }
 
 AverageResult result_of(const AverageCommand& options, const Task& task, const Averaged& averaged) {
   Preamble lines = {{"program", "mikromakro " MIKROMAKRO_VERSION " average"}};
   describe_input(options.input, task.source, averaged.runs.size(), lines);
+  if (!task.steady.empty()) lines.emplace_back("steady", task.steady);
   if (task.windows) {
     AverageResult result{task.windows->write(averaged, std::move(lines)), {}};
     note_crowded(task, averaged);
@@ -159,6 +161,8 @@ AverageResult average_once(const AverageCommand& options, const Ranks& ranks) {
       task.windows = std::make_unique<WindowAverages>(task.options, options.windows, *task.averager,
                                                       task.source, options.returns_table);
   });
+  if (!options.steady.empty())
+    task.steady = cut_to_steady_part(options.steady, *task.averager, options.run, ranks, task.source);
   const double stiffness = options.average.fields.numbers.normal_stiffness;  // as given
   const bool with_forces = needs_forces(*task.averager);
   const SumFrame sum = [&](const Frame& frame) {
@@ -191,6 +195,8 @@ void add_average_command_options(CLI::App& app, AverageCommand& options) {
   add_input_options(app, options.input);
   add_average_options(app, options.average);
   add_window_options(app, options.windows);
+  app.add_option("--steady", options.steady,
+                 "COLUMN: averages only from the frame on from which this column does not drift any more");
   add_run_options(app, options.run);
   app.add_option("--blocks", options.blocks,
                  "FILE.csv: the table without each block of frames, for `fit TABLE.csv --blocks FILE.csv`");

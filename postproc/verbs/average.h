@@ -20,6 +20,7 @@ struct AverageCommand {
   AverageOptions average;
   RunOptions run;
   WindowOptions windows;
+  std::string steady;  ///< column that must not drift
   std::string blocks;  ///< output file for the table with each block of frames left out
   bool json = false;
   /// Values of the caller's own fields (AverageOptions), discs x numbers; called by several threads.

@@ -68,8 +68,8 @@ class FirstFrame {
 };
 
 constexpr const char* goes_on =
-    "a run goes on where another ended; as runs they count as independent (pieces of one run? all files "
-    "behind one --particles)";
+    "a run continues where another ended; as separate runs they count as independent (pieces of one run? "
+    "give all files to one --particles)";
 
 // Detects pieces of one run that were given as several runs, in any order.
 class Continuations {
@@ -123,23 +123,13 @@ void add_run_options(CLI::App& app, RunOptions& options) {
   app.add_flag("--quiet", options.quiet, "no progress bar");
 }
 
-Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes, const SumFrame& sum,
-                        TimeAverage sums, const RunOptions& options, const Ranks& ranks,
-                        const TakeSums& also) {
-  std::int64_t all_bytes = 0;
+void sum_frames(const FrameSource& source, const SumFrame& sum, const RunOptions& options, const Ranks& ranks,
+                const TakeSums& take) {
+  std::int64_t all_bytes = 0, frames = 0;
   ranks.agree([&] { all_bytes = total_size(source.files()); });
   Progress progress(all_bytes, options.quiet || !ranks.first());
-  Averaged averaged{std::move(sums), {}, {}, {}};
-  FirstFrame first;
   std::atomic<std::int64_t> bytes = 0;
-  TypesSeen types("--bulk-types", volumes.bulk_types);
-  const SumFrame look_and_sum = [&](const Frame& frame) {
-    types.look(frame);
-    first.look(frame);
-    note_volumes(frame, volumes, *source.notes);
-    return sum(frame);
-  };
-  const auto read_and_sum = [&](const TakeSums& take) {
+  const auto read_and_sum = [&](const TakeSums& take_here) {
     FrameSource own = source;
     own.of_all_ranks = source.settled_selection();
     own.selection = ranks.own_part(*own.of_all_ranks);
@@ -149,13 +139,31 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
       bytes = stream.bytes_read();
       return make;
     };
-    sum_in_order(next, look_and_sum, threads_of(options, ranks), take);
+    sum_in_order(next, sum, threads_of(options, ranks), take_here);
+  };
+  ranks.gather_in_order(read_and_sum, [&](const FrameSums& frame) {
+    take(frame);
+    progress.update(bytes, ++frames);
+  });
+}
+
+Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes, const SumFrame& sum,
+                        TimeAverage sums, const RunOptions& options, const Ranks& ranks,
+                        const TakeSums& also) {
+  Averaged averaged{std::move(sums), {}, {}, {}};
+  FirstFrame first;
+  TypesSeen types("--bulk-types", volumes.bulk_types);
+  const SumFrame look_and_sum = [&](const Frame& frame) {
+    types.look(frame);
+    first.look(frame);
+    note_volumes(frame, volumes, *source.notes);
+    return sum(frame);
   };
   RunsUsed runs(1 + source.further_runs.size());
   RepeatedFrames repeated;
   Continuations continuations;
   std::int64_t last_step = 0;
-  ranks.gather_in_order(read_and_sum, [&](const FrameSums& frame) {
+  sum_frames(source, look_and_sum, options, ranks, [&](const FrameSums& frame) {
     if (!source.further_runs.empty() && repeated.add(frame))
       source.notes->add("frames are the same in two runs and count twice (one run in two forms?)",
                         frame.step);
@@ -164,7 +172,6 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
     runs.add(frame.run, (frame.sums == 0).all());
     averaged.add(frame.step, frame.sums, frame.run);
     if (also) also(frame);
-    progress.update(bytes, averaged.sums.frames());
   });
   if (continuations.ends()) source.notes->add(goes_on, last_step);
   ranks.gather(*source.notes);

@@ -20,7 +20,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 constexpr const char* not_whole =
-    "not judged: the box ends between discs or beside the walls (without --box it ends at the walls)";
+    "not judged: the box leaves out discs or does not end at the walls (without --box it ends at the walls)";
 
 // Relative friction below which the walls count as frictionless.
 constexpr double smooth = 1e-12;
@@ -29,7 +29,7 @@ VolumeOptions checked(const AuditOptions& options) {
   if (!options.wheel_types.empty())
     throw bad_input({"--wheel-types"}, "a box has no wheel", "--rings or --edges", "neither");
   if (options.margin > 0)
-    throw bad_input({"--margin"}, "a box has no edge that is not judged", "--rings or --edges", "neither");
+    throw bad_input({"--margin"}, "a box is judged up to its edges", "--rings or --edges", "neither");
   VolumeOptions volumes = options.volumes;
   if (volumes.weight.empty()) volumes.weight = "centre";
   if (volumes.sectors > 0 || (!volumes.grid.empty() && !volumes.box.empty()))
@@ -68,10 +68,11 @@ double disc_volume_of(const Table& table, double height) {
 }
 
 // Accumulates, frame by frame, the sums that make up the audit of a box.
-class BoxAuditor {
+class BoxAuditor : public Auditor {
  public:
   explicit BoxAuditor(const AuditOptions& options)
-      : volumes_(checked(options)),
+      : options_(options),
+        volumes_(checked(options)),
         given_(given_box(volumes_)),
         contacts_({Eigen::Vector2d::Zero(), volumes_.bulk_types, {}}),
         forces_(options.kn) {
@@ -80,7 +81,8 @@ class BoxAuditor {
     is_kernel_ = make_weight(volumes_.weight)->is_kernel();
   }
 
-  FrameSource source(const InputOptions& input) const {
+  FrameSource source() const override {
+    const InputOptions& input = options_.input;
     require_contacts(input, "the stress of walls needs");
     FrameSource source = frame_source(input);
     if (!volumes_.bulk_types.empty()) source.particles_needed = column_set(ParticleColumn::type);
@@ -90,8 +92,7 @@ class BoxAuditor {
     return source;
   }
 
-  /// Whether any averaged disc lies in the box.
-  bool add(const Frame& frame) {
+  bool add(const Frame& frame, Notes& /*notes*/) override {
     const Rectangle box = given_ ? *given_ : wall_rectangle(frame);
     VolumeOptions by_centre = one_box(volumes_, box);
     by_centre.weight = "centre";
@@ -115,6 +116,8 @@ class BoxAuditor {
     volume_by_weight_ += disc_volume_of(whole->solve(whole->frame_sums(frame)), volumes_.height);
     return area > 0;
   }
+
+  Balances balances() const override { return result().balances; }
 
   BoxAudit result() const {
     BoxAudit audit;
@@ -146,7 +149,7 @@ class BoxAuditor {
       return {"stress", box_.stress_deviation(),
               "largest difference of a component, volume and boundary, over the pressure"};
     return {"stress", box_.stress_deviation(),
-            fmt::format("the same of the components of {} only: periodic along {}, without walls there",
+            fmt::format("the same for the components {} only: periodic along {}, without walls there",
                         x ? "xy, yy" : "xx, yx", x ? 'x' : 'y')};
   }
 
@@ -168,7 +171,7 @@ class BoxAuditor {
     audit.balances.push_back(
         {"walls", box_.wall_deviation(),
          is_smooth ? "largest difference of normal stresses, walls and volume, over the pressure"
-                   : "the same of the walls' normal stresses; not judged, since walls have friction",
+                   : "the same for the walls' normal stresses; not judged, since walls have friction",
          is_smooth});
     audit.balances.push_back(
         {"forces", box_.wall_residual(), "sum of the forces of the walls over the mean of one"});
@@ -199,6 +202,7 @@ class BoxAuditor {
                               judged});
   }
 
+  const AuditOptions& options_;
   VolumeOptions volumes_;
   std::optional<Rectangle> given_;
   std::unique_ptr<const Averager> cells_;
@@ -214,9 +218,14 @@ class BoxAuditor {
 
 }  // namespace
 
+std::unique_ptr<Auditor> box_auditor(const AuditOptions& options) {
+  return std::make_unique<BoxAuditor>(options);
+}
+
 AuditReport audit_box(const AuditOptions& options) {
   BoxAuditor auditor(options);
-  read_frames(auditor.source(options.input), options, [&](const Frame& frame) { return auditor.add(frame); });
+  const FrameSource source = auditor.source();
+  read_frames(source, options, [&](const Frame& frame) { return auditor.add(frame, *source.notes); });
   BoxAudit audit = auditor.result();
   audit.units = options.units;
   return {audit.balances, text_of(audit), json_of(audit)};

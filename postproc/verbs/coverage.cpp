@@ -87,7 +87,7 @@ struct RunContents {
 std::string why_empty(const RunContents& run, const VolumeOptions& volumes) {
   if (!run.discs.r.empty())
     return "no disc lies in any of the volumes; its discs are at " + place_of(run.discs, volumes);
-  if (run.types.empty()) return "its frames hold no disc";
+  if (run.types.empty()) return "its frames contain no discs";
   return fmt::format("no disc is of a type of --bulk-types {}; its types are {}",
                      fmt::join(volumes.bulk_types, ","), fmt::join(run.types, ","));
 }
@@ -103,7 +103,7 @@ void TypesSeen::look(const Frame& frame) {
     if (std::any_of(frame.particles.begin(), frame.particles.end(), of_type))
       seen_[i].store(true, std::memory_order_relaxed);
     else if (!frame.particles.empty())
-      without_[i].add(fmt::format("{}: frames hold no disc of type {}", option_, wanted_[i]), frame.step);
+      without_[i].add(fmt::format("{}: frames contain no disc of type {}", option_, wanted_[i]), frame.step);
   }
 }
 
@@ -147,7 +147,7 @@ void check_coverage(const FrameSource& source, const VolumeOptions& volumes) {
   if (covered) return;
   throw bad_input(
       {volume_option(volumes)}, "no disc lies in any of the volumes",
-      discs.r.empty() ? "frames with discs" : "where the discs are, at " + place_of(discs, volumes),
+      discs.r.empty() ? "frames with discs" : "the region of the discs, " + place_of(discs, volumes),
       fmt::format("{}", fmt::join(numbers_of(volumes), " ")));
 }
 
@@ -179,7 +179,7 @@ void note_empty_frames(const FrameSource& source, const VolumeOptions& volumes,
       continue;
     }
     for (const std::int64_t step : run.empty_steps)
-      source.notes->add("frames hold no disc that is averaged, and count as empty volumes", step);
+      source.notes->add("frames contain no averaged disc, and count as empty volumes", step);
     for (const std::int64_t step : run.outside_steps)
       source.notes->add("no averaged disc of these frames lies in any of the volumes, which count as empty",
                         step);

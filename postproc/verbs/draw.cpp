@@ -33,10 +33,10 @@ void set_quantity(DrawOptions& options) {
   if (options.color.empty() && !style.network && !style.chains) options.color = "velocity";
   if (!options.color.empty()) style.quantity = &disc_quantity(options.color);
   if (style.quantity == nullptr && !options.range.empty())
-    throw bad_input({"--range"}, "the discs have no colours", "--color beside it", "none");
+    throw bad_input({"--range"}, "the discs have no colours", "--color as well", "none");
   const bool pressure = style.quantity != nullptr && style.quantity->quantity == DiscQuantity::pressure;
   if (options.height > 0 && !pressure)
-    throw bad_input({"--height"}, "it counts for the pressure only", "--color pressure",
+    throw bad_input({"--height"}, "it applies to the pressure only", "--color pressure",
                     options.color.empty() ? "none" : options.color);
 }
 
@@ -51,7 +51,7 @@ void check_scales(const DrawOptions& options, const PictureScales& scales, Notes
     const auto& box = options.box;
     if (box[1] < discs.low[0] || box[0] > discs.high[0] || box[3] < discs.low[1] || box[2] > discs.high[1])
       throw bad_input({"--box"}, "no disc lies in it",
-                      fmt::format("where the discs are, at x = {:.6g} to {:.6g}, y = {:.6g} to {:.6g} m",
+                      fmt::format("the region of the discs, x = {:.6g} to {:.6g}, y = {:.6g} to {:.6g} m",
                                   discs.low[0], discs.high[0], discs.low[1], discs.high[1]),
                       numbers_text(box));
   }
@@ -167,28 +167,28 @@ std::vector<std::string> draw_once(DrawOptions& options) {
 
 void add_draw_options(CLI::App& app, DrawOptions& options) {
   add_input_options(app, options.input);
-  app.add_option("--out", options.out,
-                 "FILE.png or FILE.svg; of several frames FILE_0000.png, ... or where %d (%04d) stands")
+  app.add_option(
+         "--out", options.out,
+         "FILE.png or FILE.svg; of several frames FILE_0000.png, ... or numbered by a %d (%04d) in the name")
       ->required();
   app.add_option("--color", options.color,
                  fmt::format("{}; default velocity, or plain discs under a network or chains",
                              fmt::join(disc_quantity_names(), ", ")));
-  app.add_option("--range", options.range, "LOW HIGH: ends of the colours (SI), default from the discs")
+  app.add_option("--range", options.range, "LOW HIGH: ends of the colour scale (SI), default from the discs")
       ->expected(2)
       ->allow_extra_args(false);
   app.add_flag("--network", options.style.network, "a thin line for each contact");
   app.add_flag("--chains", options.style.chains,
                "lines as wide as the normal force: compression black, tension red");
-  app.add_option("--box", options.box, "XMIN XMAX YMIN YMAX: what is shown (m), default all discs")
+  app.add_option("--box", options.box, "XMIN XMAX YMIN YMAX: region to draw (m), default all discs")
       ->expected(4)
       ->allow_extra_args(false);
-  app.add_option("--bulk-types", options.style.bulk_types,
-                 "types that are coloured, others are grey; default all")
+  app.add_option("--bulk-types", options.style.bulk_types, "types to colour, others are grey; default all")
       ->delimiter(',');
   app.add_option("--height", options.height,
                  "thickness of the discs (m), for --color pressure; default that of the snapshots, or none")
       ->check(positive());
-  app.add_option("--width", options.style.width, "of the picture, pixels; default 1600")
+  app.add_option("--width", options.style.width, "of the picture in pixels, default 1600")
       ->transform(whole_number(100, 20000));
   app.add_option(
          "--timestep", options.style.time_step,

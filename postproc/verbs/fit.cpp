@@ -1,257 +1,51 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "verbs/fit.h"
 
-#include <fmt/format.h>
-
-#include <set>
+#include <algorithm>
 
 #include "io/tables/csv_reader.h"
-#include "model/error.h"
-#include "model/printed_digits.h"
 #include "options/value_checks.h"
+#include "verbs/fit_series.h"
 #include "verbs/warnings.h"
 
 namespace mikromakro {
-namespace {
-
-constexpr std::string_view unit_of_velocity = "m/s";
-
-// Checks that the rows are consecutive rings, if the table gives their edges: a repeated row, or one with a
-// radius in another ring, would silently get the wrong weight.
-void check_rings(const CsvTable& table) {
-  if (!table.has("r_inner") || !table.has("r_outer")) return;
-  const Eigen::ArrayXd inner = table.column("r_inner"), outer = table.column("r_outer"),
-                       r = table.column("r");
-  Eigen::Index elsewhere = 0;
-  constexpr double arithmetic = 1e-14;
-  PrintedDigits digits;
-  for (Eigen::Index i = 0; i < table.rows(); ++i) digits.add(r[i]);
-  for (Eigen::Index i = 0; i < table.rows(); ++i) {
-    if (!(inner[i] <= r[i] && r[i] <= outer[i]))
-      throw bad_input(table.row_place(i), "r lies outside of its ring",
-                      fmt::format("{} to {}", inner[i], outer[i]), fmt::format("{}", r[i]));
-    if (std::abs(r[i] - 0.5 * (inner[i] + outer[i])) > 2 * digits.rounding(outer[i]) + arithmetic * outer[i])
-      ++elsewhere;
-    if (i == 0) continue;
-    const double overlap = outer[i - 1] - inner[i];
-    constexpr double rounding = 1e-9;  // for edges written with fewer digits
-    if (overlap > rounding * outer[i])
-      throw bad_input(table.row_place(i), "rings overlap or are there twice",
-                      fmt::format("r_inner of at least {}", outer[i - 1]), fmt::format("{}", inner[i]));
-  }
-  Notes notes;
-  if (elsewhere > 0)
-    notes.add(fmt::format("{}: r is not the middle of its ring in {} rows", table.file(), elsewhere));
-  tell(notes);
-}
-
-// Without edges, a duplicate row is recognised by a radius that occurs twice.
-void check_radii_differ(const CsvTable& table) {
-  const Eigen::ArrayXd r = table.column("r");
-  std::set<double> radii;
-  for (Eigen::Index i = 0; i < r.size(); ++i)
-    if (!radii.insert(r[i]).second)
-      throw bad_input(table.row_place(i), "a radius is there twice", "each ring once",
-                      fmt::format("{}", r[i]));
-}
-
-CsvTable ring_table(const std::string& file) {
-  CsvTable table(file);
-  if (table.has("block") && table.has("frames"))
-    throw bad_input({file}, "the table is one of blocks", "it as --blocks, beside the table of all frames",
-                    "it as a table");
-  if (!table.has("r"))
-    throw bad_input({file}, "the table is not one of rings", "a column r, as of average --rings", "none");
-  if (table.has("phi_begin"))
-    throw bad_input({file}, "the table is one of sectors, whose profiles may differ",
-                    "rings, as of average --rings without --sectors", "phi_begin");
-  if (table.rows() == 0) throw bad_input({file}, "the table is empty", "rows of numbers", "none");
-  check_rings(table);
-  check_radii_differ(table);
-  return table;
-}
-
-RingProfile profile_of(const CsvTable& table, const FitOptions& options) {
-  const std::string error = options.column + "_err";
-  RingProfile profile{"", table.column("r"), table.column(options.column), {}};
-  if (options.files.size() > 1) profile.name = table.file();
-  if (options.weights == "errors" || table.has(error)) profile.error = table.column(error);
-  for (Eigen::Index i = 0; i < profile.error.size(); ++i)
-    if (profile.error[i] < 0)
-      throw bad_input(table.row_place(i), fmt::format("{} is negative", error), "a standard error, or nan",
-                      fmt::format("{}", profile.error[i]));
-  if (options.weights == "errors" && !profile.error.isFinite().any())
-    throw bad_input({"--weights"}, fmt::format("{} is nan in all rows of {}", error, table.file()),
-                    "errors (more frames, see docs/manual/errors.md), or --weights none", "none");
-  return profile;
-}
-
-// A further table is another average of the same profile.
-void check_comparable(const CsvTable& table, const CsvTable& first, const std::string& column) {
-  for (const std::string& name : {std::string("r"), column}) {
-    const std::string unit = table.unit(name), right = first.unit(name);
-    if (!unit.empty() && !right.empty() && unit != right)
-      throw bad_input({table.file()}, fmt::format("{} has another unit than in {}", name, first.file()),
-                      right, unit);
-  }
-  const Eigen::ArrayXd r = table.column("r"), there = first.column("r");
-  if (r.minCoeff() > there.maxCoeff() || r.maxCoeff() < there.minCoeff())
-    throw bad_input({table.file()},
-                    fmt::format("the rings are elsewhere than those of {} (m or mm?)", first.file()),
-                    fmt::format("some of r = {:.6g} to {:.6g} m", there.minCoeff(), there.maxCoeff()),
-                    fmt::format("{:.6g} to {:.6g}", r.minCoeff(), r.maxCoeff()));
-}
-
-// What `average` says of its frames and discs above a table. Names of files may be written in several ways.
-std::set<std::string> input_lines(const CsvTable& table) {
-  std::set<std::string> lines;
-  for (const std::string& line : table.comments())
-    for (const std::string_view name :
-         {"frames: ", "first frame: ", "center: ", "bulk types: ", "frames of "})
-      if (line.starts_with(name)) lines.insert(line);
-  return lines;
-}
-
-// A further table of other frames is no choice but another profile.
-void note_other_input(const CsvTable& table, const CsvTable& first) {
-  const std::set<std::string> here = input_lines(table), there = input_lines(first);
-  if (here.empty() || there.empty()) return;
-  for (const std::string& line : here)
-    if (there.count(line) == 0)
-      return tell(fmt::format(
-          "{} is not of the same discs and frames as {} ({}): the spread over choices would be that of "
-          "profiles that differ",
-          table.file(), first.file(), line));
-}
-
-FitWay way_of(const FitOptions& options) {
-  FitWay way;
-  if (options.log) way.of = FitOf::log_v;
-  way.by_errors = options.weights == "errors";
-  if (options.range.empty()) return way;
-  way.from = options.range[0];
-  way.to = options.range[1];
-  if (!(way.from < way.to))
-    throw bad_input({"--range"}, "the range is empty", "R1 < R2", fmt::format("{} {}", way.from, way.to));
-  return way;
-}
-
-// Rings begin at the wheel only if there are discs in the first one.
-double edge_of_wheel(const CsvTable& table, const std::string& column) {
-  const Eigen::ArrayXd values = table.column(column), inner = table.column("r_inner");
-  if (std::isfinite(values[0])) return inner[0];
-  throw bad_input(table.row_place(0),
-                  fmt::format("R_i is not known, since {} is nan in the first ring", column),
-                  "--ri R_I (m), the radius of the wheel, or rings that begin there",
-                  fmt::format("r_inner = {} m", inner[0]));
-}
-
-// Sets R_i and Omega R_i.
-void take_wheel(const FitOptions& options, const CsvTable& table, FitReport& report) {
-  report.unit = table.unit(options.column);
-  report.omega = options.omega;
-  report.r_i = std::isnan(options.ri) ? edge_of_wheel(table, options.column) : options.ri;
-  report.scale = report.omega * report.r_i;
-  const double last = table.column("r").maxCoeff();
-  if (report.r_i > last)
-    throw bad_input({"--ri"}, "R_i lies behind all rings", fmt::format("less than {} m", last),
-                    fmt::format("{}", report.r_i));
-  if (std::isnan(options.omega)) return;
-  if (!report.unit.empty() && report.unit != unit_of_velocity)
-    throw bad_input({"--omega"}, fmt::format("{} is no velocity", options.column),
-                    fmt::format("a column in {}", unit_of_velocity), report.unit);
-  if (options.omega == 0)
-    throw bad_input({"--omega"}, "the wheel does not turn", "a rate that is not 0", "0");
-  if (report.r_i == 0)
-    throw bad_input({"--omega"}, "a wheel of no radius has no velocity",
-                    "--ri above 0, or rings that begin there", "0");
-}
-
-FitSaid said(const FitOptions& options) {
-  return {!options.range.empty(), !options.weights.empty() || options.log};
-}
-
-FitErrors errors_of(const FitOptions& options, const CsvTable& table, const RingProfile& profile,
-                    const FitReport& report) {
-  if (!options.blocks.empty()) {
-    const ColumnWithoutBlocks blocks = column_without_blocks(CsvTable(options.blocks), options.column, table);
-    return errors_from_blocks(report.fitted, blocks, [&](const Eigen::ArrayXd& values) {
-      RingProfile without = profile;
-      without.v = values;
-      return fit_exponential(without, report.r_i, report.way);
-    });
-  }
-  if (profile.error.size() > 0) return errors_from_rings(report.fitted, profile.error);
-  FitErrors none;
-  none.remark = fmt::format("neither --blocks nor a column {}_err", options.column);
-  return none;
-}
-
-double residuals_over_errors(const RingProfile& profile, const FitReport& report) {
-  if (profile.error.size() == 0) return std::nan("");
-  const ExponentialProfile& fitted = report.fitted;
-  const Eigen::ArrayXd r = profile.r(fitted.used), v = profile.v(fitted.used);
-  const Eigen::ArrayXd residual = v - fitted.v0 * (-(r - report.r_i) / fitted.s).exp();
-  return std::sqrt((residual / profile.error(fitted.used)).square().mean());
-}
-
-// Rings in the range that have a value but no weight.
-Eigen::Index left_out(const RingProfile& profile, const FitReport& report) {
-  const FitWay& way = report.way;
-  return (profile.r >= way.from && profile.r <= way.to && profile.v.isFinite()).count() -
-         static_cast<Eigen::Index>(report.fitted.used.size());
-}
-
-}  // namespace
 
 void add_fit_options(CLI::App& app, FitOptions& options) {
-  app.add_option("file", options.files,
-                 "table of `mikromakro average`; further ones, of other rings say, are choices beside it")
+  app.add_option(
+         "file", options.files,
+         "table of `mikromakro average`; further ones, with other rings for example, are alternative choices")
       ->required();
   app.add_option("--column", options.column, "column to fit, default v_phi");
   app.add_option("--blocks", options.blocks,
-                 "file of `average --blocks` beside the table: the profile without each block of frames, for "
-                 "intervals that count how rings fluctuate together");
+                 "file written by `average --blocks` with the table: the profile without each block of "
+                 "frames, for intervals that account for the correlation of rings");
   app.add_option("--weights", options.weights,
                  "none (default): each ring counts the same; errors: by its standard error COLUMN_err")
       ->check(one_of({"none", "errors"}));
   app.add_flag("--log", options.log, "least squares of log v, not of v");
-  app.add_option("--range", options.range, "R1 R2: rings with R1 <= r <= R2 only (m)")
-      ->expected(2)
-      ->allow_extra_args(false);
+  CLI::Option* range = app.add_option("--range", options.range, "R1 R2: rings with R1 <= r <= R2 only (m)")
+                           ->expected(2)
+                           ->allow_extra_args(false);
+  app.add_flag("--without-tail", options.without_tail,
+               "rings up to where log v bends into a slower decay, the creeping tail; says where, and s with "
+               "the tail")
+      ->excludes(range);
   app.add_option("--ri", options.ri, "R_i (m), default r_inner of the first ring")->check(positive());
   app.add_option("--omega", options.omega, "rate of rotation of the wheel (rad/s), for v0/(Omega R_i)");
   app.add_flag("--json", options.json, "print JSON");
 }
 
-FitReport fit(const FitOptions& options) {
+FitResult fit(const FitOptions& options) {
   std::vector<CsvTable> tables;
-  std::vector<RingProfile> profiles;
-  for (const std::string& file : options.files) {
-    tables.push_back(ring_table(file));
-    check_comparable(tables.back(), tables.front(), options.column);
-    note_other_input(tables.back(), tables.front());
-    profiles.push_back(profile_of(tables.back(), options));
+  for (const std::string& file : options.files) tables.emplace_back(file);
+  if (std::any_of(tables.begin(), tables.end(), is_series)) {
+    auto [lines, fits] = fit_windows(tables, options);
+    return {csv_text(lines, fits), json_of(fits), lines, fits};
   }
-  const CsvTable& table = tables.front();
-  const RingProfile& profile = profiles.front();
-  FitReport report;
-  report.column = options.column;
-  report.way = way_of(options);
-  take_wheel(options, table, report);
-  report.fitted = fit_exponential(profile, report.r_i, report.way);
-  if (report.fitted.v0 * report.scale < 0)
-    tell(fmt::format("--omega {}: the wheel turns against the profile, v0 = {} m/s (clockwise is negative)",
-                     options.omega, report.fitted.v0));
-  const Eigen::ArrayXd r = profile.r(report.fitted.used);
-  report.first_r = r.minCoeff();
-  report.last_r = r.maxCoeff();
-  if (const auto without = options.weights == "errors" ? left_out(profile, report) : 0; without > 0)
-    tell(fmt::format("--weights errors: {} rings have no error above 0 and are left out", without));
-  report.errors = errors_of(options, table, profile, report);
-  report.residuals_over_errors = residuals_over_errors(profile, report);
-  report.choices = fit_choices(profiles, report.r_i, report.way, report.fitted.s, said(options));
-  return report;
+  for (const CsvTable& table : tables) check_ring_table(table);
+  const FitReport report = fit_tables(tables, options);
+  for (const std::string& warning : report.warnings) tell(warning);
+  return {text_of(report), json_of(report), {}, {}};
 }
 
 }  // namespace mikromakro

@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// `fit`: an exponential velocity profile.
+// `fit`: exponential velocity profiles.
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <string>
-#include <vector>
 
-#include "verbs/fit_report.h"
+#include "io/tables/csv_writer.h"
+#include "io/tables/json.h"
+#include "verbs/profile_fit.h"
 
 namespace mikromakro {
 
-struct FitOptions {
-  std::vector<std::string> files;
-  std::string column = "v_phi", weights, blocks;  ///< no weights: none
-  std::vector<double> range;
-  double ri = std::nan("");
-  double omega = std::nan("");
-  bool log = false, json = false;
-};
-
 void add_fit_options(CLI::App& app, FitOptions& options);
 
-/// Fits v0 exp(-(r - R_i)/s) to the first table; the others are choices beside it.
-FitReport fit(const FitOptions& options);
+struct FitResult {
+  std::string text;  ///< as the program prints it
+  Json json;
+  Preamble lines;  ///< of a table of windows: the header of the fits, and these; else no columns
+  Table of_windows;
+};
+
+/// Fits v0 exp(-(r - R_i)/s) to the first table, beside which the others are choices, or to each window of a
+/// table of windows.
+FitResult fit(const FitOptions& options);
 
 }  // namespace mikromakro

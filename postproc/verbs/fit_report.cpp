@@ -99,7 +99,7 @@ void add_choices(const FitReport& report, const std::vector<Estimate>& all, std:
   for (const FitChoice& choice : report.choices)
     if (!choice.missing.empty()) ++missing[choice.missing];
   for (const auto& [why, count] : missing)
-    fmt::format_to(std::back_inserter(text), "; {} of {} not there: {}", count, report.choices.size(), why);
+    fmt::format_to(std::back_inserter(text), "; {} of {} failed: {}", count, report.choices.size(), why);
   text += "\n";
 }
 
@@ -135,6 +135,38 @@ Json choices_json(const std::vector<FitChoice>& choices) {
   return json;
 }
 
+Json tail_json(const FitReport& report) {
+  Json json = Json::object();
+  json["found"] = report.tail->found;
+  json["rings"] = static_cast<std::int64_t>(report.tail->rings);
+  json["s"] = report.tail->found ? report.tail->s : std::nan("");
+  json["evidence"] = report.tail->evidence;
+  json["s_of_all_rings"] = report.s_of_all;
+  return json;
+}
+
+void add_tail(const FitReport& report, std::string& text) {
+  const CreepingTail& tail = *report.tail;
+  if (!tail.found) {
+    fmt::format_to(
+        std::back_inserter(text),
+        "tail: none, one line through log {} does as well as two (BIC {:.3g} less): all rings are used\n",
+        report.column, -tail.evidence);
+    return;
+  }
+  fmt::format_to(std::back_inserter(text), "tail: {} rings from behind r = {:.6g} m on are left out",
+                 tail.rings, tail.last_r);
+  if (tail.evidence > 0)
+    fmt::format_to(std::back_inserter(text),
+                   ", where log {} bends (two lines, BIC {:.3g} less than of one; s behind = {:.3g} m)",
+                   report.column, tail.evidence, tail.s);
+  if (tail.sign_from > 0)
+    fmt::format_to(std::back_inserter(text), ", {} of them since one moves the other way", tail.sign_from);
+  fmt::format_to(std::back_inserter(text), "; {}\n",
+                 std::isnan(report.s_of_all) ? "with them there is no fit"
+                                             : fmt::format("with them s = {:.6g} m", report.s_of_all));
+}
+
 std::string of_what(const FitReport& report) {
   return fmt::format("{}{}{}", report.way.of == FitOf::v ? "" : "log ", report.column,
                      report.way.by_errors ? ", weights by errors" : "");
@@ -152,6 +184,7 @@ Json json_of(const FitReport& report) {
   json["range"] = std::vector<double>{report.first_r, report.last_r};
   json["residual_rms"] = report.fitted.residual_rms;
   json["residuals_over_errors"] = report.residuals_over_errors;
+  if (report.tail) json["tail"] = tail_json(report);
   json["errors"] = errors_json(report.errors);
   json["choices"] = choices_json(report.choices);
   return json;
@@ -168,13 +201,14 @@ std::string text_of(const FitReport& report) {
   const bool rough = !std::isnan(report.errors.error[0]) && std::isnan(report.errors.freedom);
   for (const Estimate& one : all)
     if (!std::isnan(one.value)) add_line(one, rough, chosen, text);
+  if (report.tail) add_tail(report, text);
   add_errors(report.errors, text);
   if (chosen) add_choices(report, all, text);
   fmt::format_to(std::back_inserter(text), "rms of the residuals = {:.6g} {}", report.fitted.residual_rms,
-                 report.unit.empty() ? "(the table does not tell the unit)" : report.unit);
+                 report.unit.empty() ? "(the table does not give the unit)" : report.unit);
   if (!std::isnan(report.residuals_over_errors))
     fmt::format_to(std::back_inserter(text), ", {:.2g} of the rings' errors", report.residuals_over_errors);
-  fmt::format_to(std::back_inserter(text), " (it describes the fit, and is no error of v0 or s)");
+  fmt::format_to(std::back_inserter(text), " (it describes the fit, and is not an error of v0 or s)");
   text += "\n";
   return text;
 }

@@ -2,9 +2,11 @@
 // Results of a profile fit, as text and as JSON.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "fit/creeping_tail.h"
 #include "fit/fit_choices.h"
 #include "fit/fit_errors.h"
 #include "io/tables/json.h"
@@ -22,6 +24,9 @@ struct FitReport {
   FitErrors errors;
   double residuals_over_errors = 0;  ///< rms; nan if rings have no errors
   std::vector<FitChoice> choices;
+  std::optional<CreepingTail> tail;  ///< with --without-tail
+  double s_of_all = 0;               ///< s of the same fit with the tail; nan: no fit
+  std::vector<std::string> warnings;
 };
 
 Json json_of(const FitReport& report);

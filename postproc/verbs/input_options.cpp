@@ -22,20 +22,20 @@ void add_input_options(CLI::App& app, InputOptions& options) {
   app.option_defaults()->group("Input");
   app.add_option("input", options.snapshots, "HDF5 snapshots (names or patterns), instead of text dumps");
   app.add_option("--snapshots", options.snapshot_runs,
-                 "the same as an option; given again for every further run");
-  app.add_option(
-      "--particles", options.particles,
-      "text dumps of particles, or .data of MercuryDPM (names or patterns; plain or compressed by gzip "
-      "or zstd); given again for every further run");
+                 "the same as an option; repeated for each further run");
+  app.add_option("--particles", options.particles,
+                 "text dumps of particles, or .data of MercuryDPM (names or patterns; plain or compressed by "
+                 "gzip or zstd); repeated for each further run");
   app.add_option("--contacts", options.contacts,
                  "text dumps of contacts, or .fstat; as often as --particles");
   app.add_option("--wall-contacts", options.walls,
-                 "text dumps of contacts with walls, of LIGGGHTS's compute wall/gran/local say; as often as "
-                 "--particles");
+                 "text dumps of contacts with walls, from LIGGGHTS's compute wall/gran/local for example; as "
+                 "often as --particles");
   app.add_option("--density", options.density, "areal density rho h (kg/m^2) for files that give no masses")
       ->check(positive());
-  app.add_option("--frames", options.frames,
-                 "FIRST:LAST[:STEP] or one: frames by index from 0, below 0 from the end (-1: the last one)");
+  app.add_option(
+      "--frames", options.frames,
+      "FIRST:LAST[:STEP] or one: frames by index from 0, negative from the end (-1: the last one)");
   app.add_option("--steps", options.steps, "A:B or one: frames by time step");
   app.add_option("--particle-columns", options.particle_columns, "names of all columns, - to skip one")
       ->delimiter(',');
@@ -45,10 +45,10 @@ void add_input_options(CLI::App& app, InputOptions& options) {
          "property/local patom1 patom2 and pair/local dist fx fy, or dist force fx fy fz p1 ...)")
       ->delimiter(',');
   app.add_option("--wall-contact-columns", options.wall_columns,
-                 "the same of --wall-contacts; default liggghts (compute wall/gran/local)")
+                 "the same for --wall-contacts; default liggghts (compute wall/gran/local)")
       ->delimiter(',');
   app.add_flag("--distant-contacts", options.distant_contacts,
-               "discs that do not touch may exert forces (cohesion, liquid bridges); else an error");
+               "discs that do not touch may exert forces (cohesion, liquid bridges); otherwise an error");
   app.option_defaults()->group("Options");
 }
 
@@ -100,7 +100,7 @@ bool has_snapshots(const InputOptions& options) {
 // Rejects column lists that apply to no file.
 void check_columns(const InputOptions& options) {
   if (!options.particle_columns.empty() && has_snapshots(options))
-    throw bad_input({"--particle-columns"}, "HDF5 snapshots know their columns", "--particles", "snapshots");
+    throw bad_input({"--particle-columns"}, "HDF5 snapshots name their columns", "--particles", "snapshots");
   if (!options.contact_columns.empty() && options.contacts.empty())
     throw bad_input({"--contact-columns"}, "there is no dump of contacts", "--contacts",
                     has_snapshots(options) ? "snapshots" : "none");
@@ -110,13 +110,13 @@ void check_columns(const InputOptions& options) {
 
 FrameSource frame_source(const InputOptions& options) {
   if (has_snapshots(options) != options.particles.empty())
-    throw bad_input({"--particles"}, "the input is not clear", "either HDF5 snapshots or --particles",
+    throw bad_input({"--particles"}, "the input is ambiguous", "either HDF5 snapshots or --particles",
                     options.particles.empty() ? "none" : "both");
   if (has_snapshots(options) && options.any_contacts())
     throw bad_input({options.contacts.empty() ? "--wall-contacts" : "--contacts"},
-                    "HDF5 snapshots hold their contacts", "--contacts beside --particles only", "both");
+                    "HDF5 snapshots contain their contacts", "--contacts with --particles only", "both");
   if (options.walls.empty() && !options.wall_columns.empty())
-    throw bad_input({"--wall-contact-columns"}, "columns of no file", "--wall-contacts beside it", "none");
+    throw bad_input({"--wall-contact-columns"}, "columns without a file", "--wall-contacts as well", "none");
   if (options.distant_contacts && !has_snapshots(options) && !options.any_contacts())
     throw bad_input({"--distant-contacts"}, "there is no dump of contacts", "--contacts", "none");
   check_columns(options);
@@ -205,10 +205,10 @@ bool lack_walls(const Frame& frame, const InputOptions& input) {
 void note_walls(const Frame& frame, const InputOptions& input, Notes& notes) {
   constexpr std::size_t enough = 5;
   if (lack_walls(frame, input) && frame.box.boundaries_known && frame.contacts.size() >= enough)
-    notes.add(fmt::format(
-        "--contact-columns {}: these rows lack contacts with walls that are no discs, and stresses near "
-        "such walls lack them (--wall-contacts adds those of meshes)",
-        input.contact_columns.front()));
+    notes.add(
+        fmt::format("--contact-columns {}: these rows lack contacts with walls that are not discs, and "
+                    "stresses near such walls lack them (--wall-contacts adds those of meshes)",
+                    input.contact_columns.front()));
 }
 
 }  // namespace mikromakro

@@ -66,45 +66,66 @@ void note_wheel_outside(const Frame& frame, const AuditOptions& options, double 
               frame.step);
 }
 
-RingAudit ring_audit(const AuditOptions& options) {
-  const VolumeOptions volumes = checked(options.volumes);
-  const auto rings = make_averager(volumes, make_fields({"solid_fraction", "stress"}));
-  const auto whole = make_averager(one_ring(volumes), make_fields({"solid_fraction"}));
-  FrameSource source = source_of(options.input, *rings);
-  source.contacts_needed |= column_set(ContactColumn::overlap);
-  TimeAverage of_rings(0);
-  TimeAverage of_whole(0);
-  NormalForces forces(options.kn);
-  ContactBalance contacts({ring_centre(volumes), volumes.bulk_types, options.wheel_types});
-  RingAudit result;
-  result.units = options.units;
-  result.frames = read_frames(source, options, [&](const Frame& frame) {
-    note_wheel_outside(frame, options, ring_edges(volumes).back(), *source.notes);
-    const Rows sums = whole->frame_sums(frame);
-    of_rings.add(rings->frame_sums(frame));
-    of_whole.add(sums);
-    contacts.add(frame);
-    forces.add(frame);
+class RingAuditor : public Auditor {
+ public:
+  explicit RingAuditor(const AuditOptions& options)
+      : options_(options),
+        volumes_(checked(options.volumes)),
+        rings_(make_averager(volumes_, make_fields({"solid_fraction", "stress"}))),
+        whole_(make_averager(one_ring(volumes_), make_fields({"solid_fraction"}))),
+        forces_(options.kn),
+        contacts_({ring_centre(volumes_), volumes_.bulk_types, options.wheel_types}) {}
+
+  FrameSource source() const override {
+    FrameSource source = source_of(options_.input, *rings_);
+    source.contacts_needed |= column_set(ContactColumn::overlap);
+    return source;
+  }
+
+  bool add(const Frame& frame, Notes& notes) override {
+    note_wheel_outside(frame, options_, ring_edges(volumes_).back(), notes);
+    const Rows sums = whole_->frame_sums(frame);
+    of_rings_.add(rings_->frame_sums(frame));
+    of_whole_.add(sums);
+    contacts_.add(frame);
+    forces_.add(frame);
     return (sums != 0).any();
-  });
-  result.wheel_torque = contacts.wheel_torque();
-  result.rings = ring_balances(rings->solve(of_rings.mean()), volumes.height, options.margin);
-  const double to_volume = std::numbers::pi * volumes.height;
-  result.volume_of_rings = to_volume * volume_of(*rings, of_rings.mean());
-  result.volume_inside = to_volume * volume_of(*whole, of_whole.mean());
+  }
+
+  Balances balances() const override { return result().balances; }
+  RingAudit result() const;
+
+ private:
+  const AuditOptions& options_;
+  VolumeOptions volumes_;
+  std::unique_ptr<const Averager> rings_, whole_;
+  TimeAverage of_rings_{0}, of_whole_{0};
+  NormalForces forces_;
+  ContactBalance contacts_;
+};
+
+RingAudit RingAuditor::result() const {
+  RingAudit result;
+  result.units = options_.units;
+  result.frames = of_rings_.frames();
+  result.wheel_torque = contacts_.wheel_torque();
+  result.rings = ring_balances(rings_->solve(of_rings_.mean()), volumes_.height, options_.margin);
+  const double to_volume = std::numbers::pi * volumes_.height;
+  result.volume_of_rings = to_volume * volume_of(*rings_, of_rings_.mean());
+  result.volume_inside = to_volume * volume_of(*whole_, of_whole_.mean());
   result.balances = {
       {"torque", torque_deviation(result.rings, result.wheel_torque),
        std::isnan(result.wheel_torque)
-           ? "no contacts with a wheel: its discs are --wheel-types, or wall 0"
+           ? "no contacts with a wheel (discs of --wheel-types, or wall 0)"
            : "largest deviation of 2 pi r^2 h sigma_phir from the wheel's torque"},
       {"radial", radial_deviation(result.rings),
        "largest |d(r sigma_rr)/dr - sigma_phiphi| over the pressure"},
-      {"residual", contacts.force_residual(),
-       std::isnan(contacts.force_residual()) ? "no contacts of averaged discs"
-                                             : "mean force on a disc over the mean contact force"},
+      {"residual", contacts_.force_residual(),
+       std::isnan(contacts_.force_residual()) ? "no contacts of averaged discs"
+                                              : "mean force on a disc over the mean contact force"},
       {"volume", std::abs(result.volume_of_rings / result.volume_inside - 1),
        "volume of the rings' discs against that of all discs inside"},
-      law_balance(forces)};
+      law_balance(forces_)};
   return result;
 }
 
@@ -149,8 +170,15 @@ Json json_of(const RingAudit& audit) {
 
 }  // namespace
 
+std::unique_ptr<Auditor> ring_auditor(const AuditOptions& options) {
+  return std::make_unique<RingAuditor>(options);
+}
+
 AuditReport audit_rings(const AuditOptions& options) {
-  const RingAudit result = ring_audit(options);
+  RingAuditor auditor(options);
+  const FrameSource source = auditor.source();
+  read_frames(source, options, [&](const Frame& frame) { return auditor.add(frame, *source.notes); });
+  const RingAudit result = auditor.result();
   return {result.balances, text_of(result), json_of(result)};
 }
 

@@ -28,7 +28,7 @@ std::vector<std::pair<std::string, RunConstants>> constants_of(const FrameSource
       all.emplace_back(file, read_constants(Hdf5File::open(file), file));
       const std::string& units = all.back().second.units;
       if (!units.empty() && units != "si")
-        throw bad_input({file}, "the run has other units", "units si", in_quotes(units));
+        throw bad_input({file}, "the run uses other units", "units si", in_quotes(units));
     }
   }
   return all;
@@ -48,7 +48,7 @@ void settle(const std::vector<Held>& held, std::string_view option, std::string_
     if (value == 0) value = one.value;
     if (same(one.value, value)) continue;
     if (!given)
-      throw bad_input({one.file}, fmt::format("the files do not agree on what {} is", option),
+      throw bad_input({one.file}, fmt::format("the files disagree on {}", option),
                       fmt::format("{} {} as in {}, or the option", value, unit, held.front().file),
                       fmt::format("{}", one.value));
     notes.add(
@@ -140,7 +140,8 @@ void note_other_runs(const FrameSource& source) {
   for (const auto& one : all) {
     const RunConstants& constants = one.second;
     const auto note = [&](const std::string& what) {
-      source.notes->add(fmt::format("{} is of another run than {}: {}", one.first, all.front().first, what));
+      source.notes->add(
+          fmt::format("{} is from a different run than {}: {}", one.first, all.front().first, what));
     };
     if (constants.law != there.law) note(fmt::format("{}, there {}", constants.law, there.law));
     if (differ(constants.normal_stiffness, there.normal_stiffness)) note("other k_n");
@@ -158,7 +159,7 @@ void note_other_runs(const FrameSource& source) {
       step_before = time_step;
       if (times.front() < last && other_step)
         source.notes->add(
-            fmt::format("{}: times go back to {} s from {} s, though steps go on (another run, or another "
+            fmt::format("{}: times go back to {} s from {} s, though steps increase (another run, or another "
                         "time step? runs are --snapshots each)",
                         file, times.front(), last));
       last = times.back();
@@ -175,7 +176,7 @@ void note_unrecorded_walls(const FrameSource& source) {
 }
 
 void note_time(const Frame& frame, double& last, Notes& notes) {
-  if (frame.time < last) notes.add("times go back, though steps go on (time reset?)", frame.step);
+  if (frame.time < last) notes.add("times go back, though steps increase (time reset?)", frame.step);
   last = frame.time;
 }
 
@@ -184,7 +185,7 @@ void check_time(const Frame& frame, const std::string& file, double time_step) {
   const double wanted = time_step * static_cast<double>(frame.step);
   if (time_step == 0 || std::isnan(frame.time) || std::abs(frame.time - wanted) <= digits * std::abs(wanted))
     return;
-  throw bad_input({"--timestep"}, "the file has times of its own, which are others",
+  throw bad_input({"--timestep"}, "the file has times of its own, which differ",
                   fmt::format("{} s in step {} of {}, or no --timestep", frame.time, frame.step, file),
                   fmt::format("{} s", wanted));
 }

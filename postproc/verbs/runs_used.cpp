@@ -86,10 +86,9 @@ void note_unlike_runs(const FrameSource& source) {
     }
     if (unlike(scale->radius, first->radius) || unlike(scale->box.x(), first->box.x()) ||
         unlike(scale->box.y(), first->box.y()))
-      source.notes->add(
-          fmt::format("{} is of another size than {}: mean radius and box {}, against {} (another "
-                      "system or unit?)",
-                      run_name(source, i), run_name(source, of_first), text_of(*scale), text_of(*first)));
+      source.notes->add(fmt::format(
+          "{} differs in size from {}: mean radius and box {}, against {} (another system or unit?)",
+          run_name(source, i), run_name(source, of_first), text_of(*scale), text_of(*first)));
   }
 }
 

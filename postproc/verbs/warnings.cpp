@@ -4,13 +4,17 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <set>
 
 #include "verbs/listener.h"
 
 namespace mikromakro {
 
+// Commands that read their input more than once find the same each time.
 void tell(const std::string& warning) {
   if (Listener* listener = Listener::of_this_thread()) return listener->warning(warning);
+  static std::set<std::string> told;
+  if (!told.insert(warning).second) return;
   fmt::print(stderr, "mikromakro: warning: {}\n", warning);
 }
 

@@ -9,8 +9,8 @@
 
 namespace mikromakro {
 
-/// Prints one line 'mikromakro: warning: ...' on stderr per note, or passes it to the Listener of this
-/// thread.
+/// Prints one line 'mikromakro: warning: ...' on stderr per note, each text once, or passes them to the
+/// Listener of this thread.
 void tell(const Notes& notes);
 
 /// Prints such a line.

@@ -53,29 +53,12 @@ void WindowAverages::describe_errors(Preamble& lines) const {
                                                 with_errors_.at(field.name), windows_.windows()));
 }
 
-void WindowAverages::note_rests(Preamble& lines) const {
-  Notes notes;
-  for (const Windows::Rest& rest : windows_.rests())
-    notes.add(
-        fmt::format("frames at the end of run {} that do not fill a window of {} are left out: {}, "
-                    "steps {} to {}",
-                    rest.run + 1, rule_of(rule_).frames, rest.frames, rest.first_step, rest.last_step));
-  tell(notes);
-  describe_notes(notes, lines);
-}
-
-Error WindowAverages::no_window() const {
-  std::int64_t most = 0;
-  for (const Windows::Rest& rest : windows_.rests()) most = std::max(most, rest.frames);
-  return bad_input({window_option(rule_)}, "no run fills a window",
-                   fmt::format("at most {}, the selected frames of a run", most),
-                   fmt::format("{}", rule_of(rule_).frames));
-}
-
 AveragedTable WindowAverages::write(const Averaged& averaged, Preamble lines) {
   windows_.finish();
-  if (windows_.windows() == 0) throw no_window();
-  note_rests(lines);
+  Notes notes;
+  check_windows(rule_, windows_, notes);
+  tell(notes);
+  describe_notes(notes, lines);
   const Rows mean = averaged.sums.mean();
   describe_fields(options_.fields, lines);
   describe_frames(averaged, lines);

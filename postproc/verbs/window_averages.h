@@ -9,7 +9,6 @@
 #include "averaging/window_rows.h"
 #include "io/frames/frame_stream.h"
 #include "io/tables/series_table.h"
-#include "model/error.h"
 #include "options/average_options.h"
 #include "options/series_outputs.h"
 #include "options/window_options.h"
@@ -33,8 +32,6 @@ class WindowAverages {
  private:
   void take(const Window& window);
   void describe_errors(Preamble& lines) const;
-  Error no_window() const;
-  void note_rests(Preamble& lines) const;
 
   const AverageOptions& options_;
   const WindowOptions& rule_;

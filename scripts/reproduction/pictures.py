@@ -4,6 +4,7 @@ import h5py
 import numpy as np
 from matplotlib.collections import EllipseCollection, LineCollection
 
+from appearance import COMPRESSION, TENSION
 from reproduction import sheet
 from reproduction.figures import figure, run_b
 from reproduction.profiles import R_I
@@ -29,8 +30,8 @@ def draw_discs(axes, position, radius, **colours):
 
 
 def draw_chains(axes, ends, force, scale):
-    """Lines between the centres, as wide as the force; attraction of the dashpot dashed."""
-    for chosen, style, colour in ((force > 0, "solid", "k"), (force <= 0, "dotted", "0.4")):
+    """Lines between the centres, as wide as the force; attraction of the dashpot dotted."""
+    for chosen, style, colour in ((force > 0, "solid", COMPRESSION), (force <= 0, "dotted", TENSION)):
         axes.add_collection(LineCollection(ends[chosen].reshape(-1, 2, 2), linewidths=np.clip(np.abs(force[chosen]) / scale, 0.15, 4), colors=colour,
                                            linestyles=style, capstyle="round"))
 

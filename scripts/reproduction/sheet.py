@@ -4,22 +4,12 @@ import csv
 import io
 import os
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-import numpy as np
 from PIL import Image
 
+from appearance import MARKERS, plt, shades  # noqa: F401, for all figures
+
 RESULTS = os.path.join("docs", "results")
-plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "figure.constrained_layout.use": True, "svg.hashsalt": "mikromakro",
-                     "lines.linewidth": 1.2, "legend.fontsize": 8})
-MARKERS = "osD^v<>pXP*h"
-
-
-def shades(count):
-    """Colours from dark to light, in this order also in grey."""
-    return plt.cm.viridis(np.linspace(0, 0.88, count))
+plt.rcParams.update({"font.size": 9, "svg.hashsalt": "mikromakro", "lines.linewidth": 1.2})
 
 
 def axes(columns=1, rows=1, width=5.4, height=3.9, **options):

@@ -228,7 +228,7 @@ TEST_F(Launcher, NamesTheStepForHertzianContactsAtTheVelocityOrTheOverlapAtHand)
     EXPECT_EQ(touching.lines_with(would_do(physics::contact_duration(slope, 0, mass / 2))), 1U)
         << touching.output;
     const auto unknown = run_with("", "", ranks);
-    EXPECT_EQ(unknown.lines_with("time step not checked"), 1U) << unknown.output;
+    EXPECT_EQ(unknown.lines_with("time step is not checked"), 1U) << unknown.output;
     EXPECT_EQ(unknown.code, 0);
   }
 }

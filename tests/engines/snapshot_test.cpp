@@ -108,7 +108,8 @@ TEST_P(OnRanks, StopsAtAFileOfAnotherSystem) {
   const auto stopped = [&](const std::string& script, const std::string& line) {
     EXPECT_NE(std::system(("timeout 60 sh -c '" + command(script, GetParam()) + "'").c_str()), 0);
     const std::string output = text("screen.txt");
-    EXPECT_NE(output.find("ERROR: snapshot/disc: s.h5: is of another system, " + line), std::string::npos)
+    EXPECT_NE(output.find("ERROR: snapshot/disc: s.h5: belongs to another system, " + line),
+              std::string::npos)
         << output;
     EXPECT_EQ(output.find("ERROR"), output.rfind("ERROR"));
   };

@@ -38,8 +38,8 @@ class Average(Case):
     def test_is_that_of_the_program(self):
         for keywords in [{**GOOD, "box": (-5, 5, -5, 5)},
                          {**GOOD, "grid": (-5, 5, 3, -5, 5, 2), "weight": "gauss:0.7", "height": 0.1},
-                         {**GOOD, "edges": [0, 1.1, 2.7, 4], "bulk_types": [1], "fields": ["stress", "velocity"]},
-                         {**GOOD, "rings": (0, 4, 2), "sectors": 3, "center": (0.5, -0.25), "threads": 1, "frames": -1},
+                         {**GOOD, "edges": [0, 1 / 3, 2.7, 4], "bulk_types": [1], "fields": ["stress", "velocity"]},
+                         {**GOOD, "rings": (0, 4, 2), "sectors": 3, "center": (1 / 3, -0.25), "threads": 1, "frames": -1},
                          {**CELL, "rings": (0.1, 0.18, 7), "kn": 352.1, "error_blocks": 0, "fields": ["all"]}]:
             with self.subTest(keywords):
                 self.check_same(keywords)

@@ -32,6 +32,19 @@ class Windows(Case):
             self.assertEqual(data["step_first"].dims, ("time",))
             self.assertEqual(float(data["v_phi"].sel(time=1.25, r=2.5)), float(result["v_phi"][4]))
 
+    def test_fits_and_audits(self):
+        files = dumps(self.folder, 6, lambda frame: 1.0 + frame, decay=0.5)
+        result = mikromakro.average(particles=files["particles"], fields="velocity", rings=(1, 4, 3), weight="centre", every=2)
+        fits = mikromakro.fit(result, ri=1.0)
+        result.to_csv(self.path("w.csv"))
+        self.assertEqual(fits.columns[:4], ("step", "time", "step_first", "step_last"))
+        np.testing.assert_allclose(fits["s"], [1 / np.log(2)] * 3, rtol=1e-9)
+        self.assertEqual(fits.to_csv().replace(dict(fits.header)["table"], self.path("w.csv")),
+                         program("fit", self.path("w.csv"), "--ri", 1.0)[0])
+        audits = mikromakro.audit(**self.files, rings=(1, 4, 3), every=3)
+        self.assertEqual(audits.to_csv(), program("audit", "--particles", self.files["particles"], "--contacts", self.files["contacts"],
+                                                  "--rings", 1, 4, 3, "--every", 3)[0])
+
     def through_a_file(self, name):
         mikromakro.average(**self.keywords, every=2, out=self.path(name))
         return mikromakro.read(self.path(name))

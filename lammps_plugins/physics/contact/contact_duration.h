@@ -68,4 +68,24 @@ inline constexpr double steps_per_contact = 50;
 /// which requires 2.7; frictional springs with k_t up to k_n require about 4.
 inline constexpr double least_steps_per_contact = 4;
 
+/// Rates at which dashpots slow a pair down: its approach, and its slip with the mass m12/3 [1/s]. In a
+/// triangular lattice the stiffest modes have three and four times these rates: neighbouring rows that move
+/// against each other, 3 gamma_n/m12, and discs that all spin alike, 12 gamma_t/m12. For other contacts see
+/// dashpot_rate.h.
+inline double normal_dashpot_rate(double gamma_n, double m12) {
+  return gamma_n / m12;
+}
+inline double tangential_dashpot_rate(double gamma_t, double m12) {
+  return 3 * gamma_t / m12;
+}
+inline constexpr double normal_rate_of_lattice = 3, tangential_rate_of_lattice = 4;
+
+/// Largest stable time step [s] of velocity Verlet for a mode that dashpots slow down at `rate`. With
+/// velocities half a step earlier than the positions, z = 1 - rate dt, stable to 2/rate. Predicted velocities
+/// contain half of the previous step's force as well: z^2 - (1 - 3/2 rate dt) z - rate dt/2 = 0, to 1/rate.
+/// Springs with w = omega^2 dt^2 in the same mode reduce both by the factor 1 - w/4.
+inline double stable_dashpot_step(double rate, bool predicted) {
+  return (predicted ? 1 : 2) / rate;
+}
+
 }  // namespace mikromakro::physics

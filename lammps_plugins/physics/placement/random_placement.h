@@ -62,7 +62,7 @@ inline std::vector<PlacedDisc> place_discs(const DiscRegion& region, const std::
       const PlacedDisc disc{x, y, radius};
       if (contains_disc(region, x, y, radius + gap) && !grid.touches(disc)) return disc;
     }
-    throw std::runtime_error("no place left for a disc of radius " + std::to_string(radius));
+    throw std::runtime_error("no room left for a disc of radius " + std::to_string(radius));
   };
   std::vector<PlacedDisc> placed(radii.size());
   for (const std::size_t i : order) {

@@ -44,10 +44,10 @@ State read_state(LAMMPS_NS::LAMMPS& engine, const LAMMPS_NS::Fix& fix, const cha
   const StateHeader expected{.size = sizeof(State)};
   if (header.mark != expected.mark || header.version != expected.version || header.size != expected.size)
     stop(engine, std::string("fix ") + fix.id + " (" + fix.style + ")",
-         "the restart file is of another version of the styles: expected states of version " +
+         "the restart file was written by another version of the styles: expected states of version " +
              std::to_string(expected.version) + ", got " +
              (header.mark == expected.mark ? std::to_string(header.version) : "a file without a version") +
-             "; read it with the version that wrote it, or give the fix another id to begin anew");
+             "; read it with the version that wrote it, or give the fix another id to start afresh");
   State state;
   std::memcpy(&state, buffer + sizeof header, sizeof state);
   return state;

@@ -33,7 +33,7 @@ void compare_heights(LAMMPS& engine) {
     if (first && std::abs(given->given_height() - height) > digits * height)
       return warn(engine, name_of(*fix) + ": height " + text_of(given->given_height()) + " m, but " +
                               name_of(*first) + " has " + text_of(height) +
-                              " m: their stresses do not fit together");
+                              " m: their stresses are inconsistent");
     if (first) continue;
     first = fix;
     height = given->given_height();

@@ -133,22 +133,21 @@ void warn_of_integrators(LAMMPS& engine, const std::string& style) {
     any = any || fix.time_integrate;
     if (turns_spheres(fix))
       warn(engine, style + ": fix " + fix.id + " (" + fix.style +
-                       ") turns discs with the moment of inertia of spheres, 2/5 m a^2; expected 'fix " +
+                       ") rotates discs with the moment of inertia of spheres, 2/5 m a^2; expected 'fix " +
                        fix.id + " ... nve/sphere disc' or nve/disc");
   }
   for (const Fix* integrator : fixes(modify)) {
     const Fix& fix = *integrator;
     if (friction && moves_without_turning(fix))
       warn(engine, style + ": fix " + fix.id + " (" + fix.style +
-                       ") does not turn discs, on which friction acts; expected 'fix " + fix.id +
-                       " ... nve/disc'");
+                       ") does not rotate discs, although friction exerts torques on them; expected 'fix " +
+                       fix.id + " ... nve/disc'");
   }
   for (const Compute* compute : computes(modify)) {
     if (std::strcmp(compute->style, "erotate/sphere") == 0)
-      warn(engine,
-           style + ": compute " + compute->id +
-               " (erotate/sphere) has the moment of inertia of spheres; the rotational energy of discs is "
-               "5/4 of what it gives");
+      warn(engine, style + ": compute " + compute->id +
+                       " (erotate/sphere) uses the moment of inertia of spheres; the rotational energy of "
+                       "discs is 5/4 of what it gives");
   }
   if (!any && engine.update->nsteps > 0)
     warn(engine,
@@ -185,11 +184,10 @@ void warn_of_spheres(LAMMPS& engine, const std::string& style) {
     const Spread spread = spread_of(engine, type);
     if (!(spread.relative(0) > clear && spread.relative(1) > rounding && spread.relative(2) < rounding))
       continue;
-    return warn(engine,
-                style + ": the masses of type " + std::to_string(type) +
-                    " go with the cube of the radius, as those of spheres; expected m = rho h pi a^2, "
-                    "with an areal density by '" +
-                    set_density + "'");
+    return warn(engine, style + ": the masses of type " + std::to_string(type) +
+                            " scale with the cube of the radius, like those of spheres; expected m = rho h "
+                            "pi a^2, with an areal density by '" +
+                            set_density + "'");
   }
 }
 
@@ -202,7 +200,7 @@ void warn_of_poured_spheres(LAMMPS& engine) {
       warn(engine, std::string("fix ") + fix->id +
                        " (pour) inserts discs with the masses of spheres; expected m = rho h pi a^2, by 'run "
                        "N every M \"" +
-                       set_density + "\"', which sets those inserted since");
+                       set_density + "\"', which sets the masses of discs inserted since");
 }
 
 /// Above that of metals for discs as high as 100 radii: a density of a volume in place of one of an area.
@@ -216,9 +214,8 @@ void warn_of_density(LAMMPS& engine, const std::string& style) {
   });
   if (disc != none)
     warn(engine, style + ": disc " + std::to_string(disc) +
-                     " is heavier than five diameters of metal (a long rod, or a density in kg/m^3? that of "
-                     "discs is of an area, rho "
-                     "h in kg/m^2)");
+                     " is heavier than a metal disc five diameters thick (a long rod, or a density in "
+                     "kg/m^3? discs have an areal density, rho h in kg/m^2)");
 }
 
 }  // namespace

@@ -17,7 +17,6 @@
 #include "law/disc_check.h"
 #include "law/effects_line.h"
 #include "law/fix_on_rows.h"
-#include "law/time_step_check.h"
 #include "law/unseen_forces.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -35,7 +34,8 @@ void DiscLaw::fail(const std::string& what) const {
 }
 
 void DiscLaw::require_two_dimensions() const {
-  if (domain->dimension != 2) fail("discs live in two dimensions; put 'dimension 2' before the box");
+  if (domain->dimension != 2)
+    fail("discs require a two-dimensional simulation; put 'dimension 2' before the box");
   if (force->newton_pair) fail("needs 'newton off' before the box is created");
 }
 
@@ -56,6 +56,7 @@ void DiscLaw::begin_run(MaterialTable materials) {
   materials_ = std::move(materials);
   one_material_ = materials_.is_uniform();
   set_up_complete_ = false;
+  list_of_run_ = nullptr;
   find_integrators();
   shared_.skin.begin_run(style());
   record_.begin_run();
@@ -71,10 +72,20 @@ void DiscLaw::complete_set_up(const NeighList& list) {
   set_up_complete_ = true;
   shared_.skin.check_growth_in_set_up();
   check_discs(*lmp, style(), effects().spring());
-  check_time_step(*lmp, list, style(), {effects(), materials_, settings_.impact_velocity()});
+  check_time_step(*lmp, list, style(), time_scales());
+  list_of_run_ = &list;
   print_line(*lmp, effects_line(effects(), *modify, predicted_));
   warn_of_unseen_forces(*lmp);
   warn_of_disagreement(*lmp);
+}
+
+void DiscLaw::run_ended() {
+  if (list_of_run_) check_time_step_of_run(*lmp, *list_of_run_, style(), time_scales());
+  list_of_run_ = nullptr;
+}
+
+TimeScales DiscLaw::time_scales() const {
+  return {effects(), materials_, settings_.impact_velocity(), predicted_};
 }
 
 const DiscRow* DiscLaw::evaluated_row(int i) const {
@@ -181,9 +192,10 @@ void DiscLaw::abort_at_coincident_centres(const DiscPair& pair) const {
     const physics::DiscRow& row = shared_.packed.discs[i];
     if (!std::isfinite(row.x() + row.y()))
       abort_run(*lmp, style(),
-                "disc " + std::to_string(atom->tag[i]) + " is at no number (nan or inf) in step " +
-                    std::to_string(rows_step_) +
-                    ": a fix gave it a force or velocity that is none, a direction of length 0 for example");
+                "disc " + std::to_string(atom->tag[i]) +
+                    " has a position that is not finite (nan or inf) in step " + std::to_string(rows_step_) +
+                    ": a fix gave it a force or velocity that is not finite, from a direction of length 0 "
+                    "for example");
   }
   abort_run(*lmp, style(),
             "discs " + std::to_string(atom->tag[pair.i]) + " and " + std::to_string(atom->tag[pair.j]) +

@@ -19,6 +19,7 @@
 #include "law/pair_lists.h"
 #include "law/pair_loop.h"
 #include "law/skin_budget.h"
+#include "law/time_step_check.h"
 #include "pointers.h"
 
 namespace LAMMPS_NS {
@@ -95,6 +96,8 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   /// soon as all its contacts have been evaluated, while its row is still in cache. Call before reading
   /// loads; the integrator passes a function that advances all discs with index < before.
   void complete_step(const PairLoop::MoveDiscs& move_discs = {});
+  /// For integrators, once the last step of a run is closed: the checks of its contacts. Collective.
+  void run_ended();
   /// Completes the step and writes pending data to the engine's arrays: positions and velocities of the rows,
   /// loads, tangential displacements.
   void close();
@@ -134,6 +137,7 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
  private:
   void complete_set_up(const LAMMPS_NS::NeighList& list);
   void find_integrators();
+  TimeScales time_scales() const;
   void update_rows_and_lists(const LAMMPS_NS::NeighList& list);
   void run_loop(const Evaluation& evaluation, const PairLoop::MoveDiscs& move_discs, bool observed);
   void observe(const Evaluation& evaluation, const physics::ContactBatch& batch, int lane, int pair);
@@ -149,8 +153,9 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   std::vector<DiscIntegrator*> integrators_;
   bool predicted_ = false;  // by all integrators
   bool set_up_complete_ = false;
-  LAMMPS_NS::bigint rows_step_ = -1;   // step that the rows belong to
-  std::optional<Evaluation> waiting_;  // of an open step whose loop has not run yet
+  const LAMMPS_NS::NeighList* list_of_run_ = nullptr;  // between the set-up and the end of a run
+  LAMMPS_NS::bigint rows_step_ = -1;                   // step that the rows belong to
+  std::optional<Evaluation> waiting_;                  // of an open step whose loop has not run yet
 };
 
 }  // namespace mikromakro::styles

@@ -75,7 +75,7 @@ void LawSettings::read(LAMMPS_NS::LAMMPS& engine, const std::string& style, std:
   if (!complete) stop(engine, style, "the restart file ends inside the settings of the pair style");
   if (settings.header != StateHeader{.size = sizeof settings})
     stop(engine, style,
-         "the restart file is of another version of the styles; expected version " +
+         "the restart file was written by another version of the styles; expected version " +
              std::to_string(version_of_states) + ", got " + std::to_string(settings.header.version));
   const auto& [tangential, no_attraction, normal, normal_dashpot] = settings.effects;
   effects_ = {static_cast<Tangential>(tangential), no_attraction != 0, static_cast<Normal>(normal),

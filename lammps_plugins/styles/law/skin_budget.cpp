@@ -110,8 +110,8 @@ void SkinBudget::lists_were_built(const std::vector<DiscRow>& discs) {
   if (excess > most_excess * neighbor->skin) {
     abort_run(*lmp, style_,
               "discs have grown by " + text_of(excess) +
-                  " m beyond the largest of the start of the run, for which the engine looks for neighbours; "
-                  "expected at most 0.4 of the skin, " +
+                  " m beyond the largest radius at the start of the run, for which the engine builds its "
+                  "neighbour lists; expected at most 0.4 of the skin, " +
                   text_of(most_excess * neighbor->skin) +
                   " m: a larger 'neighbor' distance, or 'run N every M'");
   }

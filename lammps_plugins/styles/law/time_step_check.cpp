@@ -14,6 +14,7 @@
 #include "error.h"
 #include "fix.h"
 #include "law/contact_rows.h"
+#include "law/damped_contacts.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "physics/contact/contact_duration.h"
@@ -26,20 +27,13 @@ using namespace LAMMPS_NS;
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+/// Of time steps that messages recommend with four digits.
+constexpr double rounded = 1e-3;
 
 std::string text_of(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
-}
-
-/// Group bits of the fixes that integrate the equations of motion; all other atoms, such as wall discs, have
-/// prescribed motion and count as infinitely heavy in a contact.
-int integrated_groups(const Modify& modify) {
-  int bits = 0;
-  for (const Fix* fix : fixes(modify))
-    if (std::strncmp(fix->style, "nve", 3) == 0) bits |= fix->groupbit;
-  return bits;
 }
 
 /// Per type, over all ranks: mass of the lightest freely moving disc, radius of the largest other disc (0 if
@@ -65,13 +59,13 @@ void carry_walls(const Modify& modify, std::vector<double>& carried_radius) {
 }
 
 TypesAtHand types_at_hand(const Atom& atom, const Modify& modify, MPI_Comm world) {
-  const int integrated = integrated_groups(modify);
+  const MovingAtoms moving(modify);
   const std::vector<double> none(atom.ntypes, 0.0);
   TypesAtHand types{std::vector<double>(atom.ntypes, infinite), none, none, none};
   for (int i = 0; i < atom.nlocal; ++i) {
     const int t = atom.type[i] - 1;
     types.speed[t] = std::max(types.speed[t], std::hypot(atom.v[i][0], atom.v[i][1]));
-    if (atom.mask[i] & integrated) {
+    if (moving.include(atom.mask[i])) {
       types.mass[t] = std::min(types.mass[t], atom.rmass[i]);
     } else {
       types.carried_radius[t] = std::max(types.carried_radius[t], atom.radius[i]);
@@ -117,8 +111,19 @@ double duration(const physics::ContactParameters& p, const physics::Effects& eff
 /// Over all pairs of types that can collide [s]; infinite if nothing moves.
 struct ShortestTimes {
   double contact = infinite;  // t_c
-  double dashpot = infinite;  // m12/gamma_n, in which the dashpot alone slows a pair down by 1/e
+  // Those in which a dashpot slows a pair down by 1/e.
+  double normal_dashpot = infinite, tangential_dashpot = infinite;
 };
+
+void take_dashpots(const physics::ContactParameters& p, const physics::Effects& effects, double m12,
+                   ShortestTimes& shortest) {
+  if (effects.normal_dashpot && p.normal_damping > 0)
+    shortest.normal_dashpot =
+        std::min(shortest.normal_dashpot, 1 / physics::normal_dashpot_rate(p.normal_damping, m12));
+  if (physics::has_dashpot(effects.tangential) && p.tangential_damping > 0 && p.friction > 0)
+    shortest.tangential_dashpot = std::min(shortest.tangential_dashpot,
+                                           1 / physics::tangential_dashpot_rate(p.tangential_damping, m12));
+}
 
 ShortestTimes shortest_times(const TypesAtHand& at_hand, const std::vector<double>& overlaps,
                              const TimeScales& law) {
@@ -134,8 +139,7 @@ ShortestTimes shortest_times(const TypesAtHand& at_hand, const std::vector<doubl
       const auto meet = [&](double m12, double a_j) {
         const physics::Collision meeting{m12, physics::reduced_radius(a_i, a_j), velocity, overlap};
         shortest.contact = std::min(shortest.contact, duration(p, law.effects, meeting));
-        if (law.effects.normal_dashpot && p.normal_damping > 0)
-          shortest.dashpot = std::min(shortest.dashpot, m12 / p.normal_damping);
+        take_dashpots(p, law.effects, m12, shortest);
       };
       if (std::isfinite(m_j)) meet(physics::reduced_mass(m_i, m_j), at_hand.radius[j]);
       if (at_hand.carried_radius[j] > 0) meet(m_i, at_hand.carried_radius[j]);
@@ -148,21 +152,72 @@ bool any_moves(const TypesAtHand& types) {
   return std::any_of(types.mass.begin(), types.mass.end(), [](double m) { return std::isfinite(m); });
 }
 
-/// Velocity Verlet of a pair with a dashpot is unstable above dt = 2 m12/gamma_n. As for springs, the
-/// stiffest mode of a triangular packing has three times the rate of a pair.
-void check_dashpot(LAMMPS& engine, const std::string& style, double slowing_down) {
-  constexpr double most = 2.0 / 3, accurate = 0.25;
+/// The words for a time step that is above another one.
+std::string above(const LAMMPS& engine, const std::string& style, double bound) {
+  return style + ": time step " + text_of(engine.update->dt) + " s is above " + text_of(bound) + " s, ";
+}
+
+/// A pair whose dashpots slow it down in these times is unstable by itself. Friction limits what that of
+/// gammat does: an error only of contacts that do not slide.
+void check_pair(LAMMPS& engine, const std::string& style, const ShortestTimes& times, bool predicted) {
+  constexpr double accurate = 0.25;
+  const double stable_n = physics::stable_dashpot_step(1 / times.normal_dashpot, predicted),
+               stable_t = physics::stable_dashpot_step(1 / times.tangential_dashpot, predicted);
+  if (engine.update->dt > stable_n)
+    engine.error->all(FLERR, (above(engine, style, stable_n) +
+                              "where the dashpot of gamman is unstable; expected 'timestep " +
+                              text_of(accurate * times.normal_dashpot) + "' or less, or a smaller gamman")
+                                 .c_str());
+  if (engine.update->dt > stable_t)
+    warn(engine, above(engine, style, stable_t) +
+                     "where the dashpot of gammat is unstable: contacts that should come to rest chatter "
+                     "between the limits of friction; expected 'timestep " +
+                     text_of(accurate * times.tangential_dashpot) + "' or less, or a smaller gammat");
+}
+
+/// e_n of a pair, in m12/gamma_n. That of gammat matters only where discs do not slide.
+void check_accuracy(LAMMPS& engine, const std::string& style, double time) {
+  constexpr double accurate = 0.25;
+  if (engine.update->dt > accurate * time * (1 + rounded))
+    warn(engine, above(engine, style, accurate * time) +
+                     "a quarter of the shortest time in which a dashpot of gamman acts; expected 'timestep " +
+                     text_of(accurate * time) + "' or less, or a smaller gamman");
+}
+
+/// Of all present contacts [s].
+struct StableSteps {
+  double normal = infinite, all = infinite;  // of the dashpots of gamman, and of both
+};
+
+/// Infinite where a bound of their rates shows that they do not matter. Collective.
+StableSteps stable_steps_of_contacts(LAMMPS& engine, const NeighList& list, const TimeScales& law) {
+  constexpr double safe_part = 0.75;
+  const double safe = safe_part * physics::stable_dashpot_step(1, law.predicted) / engine.update->dt;
+  physics::Effects normal = law.effects;
+  normal.tangential = physics::Tangential::none;
+  double rates[] = {largest_dashpot_rate(engine, list, normal, law.materials, safe),
+                    largest_dashpot_rate(engine, list, law.effects, law.materials, safe)};
+  MPI_Allreduce(MPI_IN_PLACE, rates, 2, MPI_DOUBLE, MPI_MAX, engine.world);
+  return {physics::stable_dashpot_step(rates[0], law.predicted),
+          physics::stable_dashpot_step(rates[1], law.predicted)};
+}
+
+std::string smaller_step(double time_step) {
+  return "; expected 'timestep " + text_of(time_step) + "' or less, or a smaller gamman or gammat";
+}
+
+/// The present contacts together.
+void check_packing(LAMMPS& engine, const std::string& style, const StableSteps& stable) {
+  constexpr double near = 0.75;
   const double dt = engine.update->dt;
-  const std::string what = style + ": time step " + text_of(dt) + " s is above ",
-                    of = " of the shortest time in which a dashpot acts (m12/gamma_n = " +
-                         text_of(slowing_down) + " s)",
-                    better =
-                        "'timestep " + text_of(accurate * slowing_down) + "' or less, or a smaller gamman";
-  if (dt > most * slowing_down)
-    engine.error->all(
-        FLERR,
-        (what + "two thirds" + of + ", the integration would be unstable; expected " + better).c_str());
-  if (dt > accurate * slowing_down) warn(engine, what + "a quarter" + of + "; expected " + better);
+  if (dt > stable.normal)
+    engine.error->all(FLERR, (above(engine, style, stable.normal) +
+                              "where the dashpots of the present contacts make the integration unstable" +
+                              smaller_step(near * stable.normal))
+                                 .c_str());
+  if (dt > near * stable.all * (1 + rounded))
+    warn(engine, above(engine, style, near * stable.all) + "near that of " + text_of(stable.all) +
+                     " s at which dashpots make the integration unstable" + smaller_step(near * stable.all));
 }
 
 void check_contact(LAMMPS& engine, const std::string& style, double t_c) {
@@ -174,7 +229,7 @@ void check_contact(LAMMPS& engine, const std::string& style, double t_c) {
     engine.error->all(FLERR, (step + "above a quarter" + contact +
                               ", the integration would be unstable; expected " + better + " (t_c/50) or less")
                                  .c_str());
-  if (dt > t_c / physics::steps_per_contact * (1 + 1e-9))
+  if (dt > t_c / physics::steps_per_contact * (1 + rounded))
     warn(engine, step + "above t_c/50" + contact + "; " + better + " would do");
   constexpr double many_steps = 5000;
   if (dt < t_c / many_steps)
@@ -183,20 +238,43 @@ void check_contact(LAMMPS& engine, const std::string& style, double t_c) {
 
 }  // namespace
 
-void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& style, const TimeScales& law) {
-  const Atom& atom = *engine.atom;
-  const auto at_hand = types_at_hand(atom, *engine.modify, engine.world);
-  const bool by_velocity = physics::depends_on_velocity(law.effects.normal);
+namespace {
+
+ShortestTimes times_of(LAMMPS& engine, const NeighList& list, const TimeScales& law,
+                       const TypesAtHand& at_hand) {
   const std::vector<double> untouched(law.materials.values().size(), 0.0);
-  const ShortestTimes times =
-      shortest_times(at_hand, by_velocity ? largest_overlaps(atom, list, engine.world) : untouched, law);
+  const bool by_velocity = physics::depends_on_velocity(law.effects.normal);
+  return shortest_times(at_hand, by_velocity ? largest_overlaps(*engine.atom, list, engine.world) : untouched,
+                        law);
+}
+
+}  // namespace
+
+void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& style, const TimeScales& law) {
+  const auto at_hand = types_at_hand(*engine.atom, *engine.modify, engine.world);
+  const ShortestTimes times = times_of(engine, list, law, at_hand);
   if (std::isfinite(times.contact))
     check_contact(engine, style, times.contact);
-  else if (by_velocity && any_moves(at_hand))
+  else if (physics::depends_on_velocity(law.effects.normal) && any_moves(at_hand))
     warn(engine, style +
-                     ": nothing moves or touches yet, so that the duration of contacts is not known and "
-                     "the time step not checked; expected 'impact_velocity V' with the pair style");
-  check_dashpot(engine, style, times.dashpot);
+                     ": nothing moves or touches yet, so the contact duration is unknown and the time step "
+                     "is not checked; expected 'impact_velocity V' with the pair style");
+  constexpr int minimisation = 2;
+  if (engine.update->whichflag == minimisation) return;
+  check_pair(engine, style, times, law.predicted);
+  check_accuracy(engine, style, times.normal_dashpot);
+  check_packing(engine, style, stable_steps_of_contacts(engine, list, law));
+}
+
+void check_time_step_of_run(LAMMPS& engine, const NeighList& list, const std::string& style,
+                            const TimeScales& law) {
+  const double stable = stable_steps_of_contacts(engine, list, law).all;
+  if (engine.update->dt > stable)
+    warn(engine,
+         above(engine, style, stable) +
+             "where the dashpots of the contacts at the end of the run make the integration unstable: "
+             "its results are wrong" +
+             smaller_step(stable / 2));
 }
 
 }  // namespace mikromakro::styles

@@ -19,15 +19,23 @@ struct TimeScales {
   physics::Effects effects;
   const MaterialTable& materials;
   double impact_velocity;  // fastest expected impact, for Hertz's law [m/s]; 0: unknown
+  bool predicted;          // dashpots see velocities that are predicted for the time of the positions
 };
 
 /// Stops the run on all ranks, with one line, if the time step exceeds a quarter of the shortest contact
-/// duration, or two thirds of m12/gamma_n; warns above a fiftieth and a quarter of these. Linear law: t_c of
-/// the lightest discs of each pair of types. Hertz: the shorter of two times: t_c at the impact velocity, or
-/// at the sum of the largest present speeds of both types if that is larger; and pi / sqrt(k/m12) with the
+/// duration, or the largest for which the normal dashpots of a pair, or of all contacts that there are, are
+/// stable (contact_duration.h, dashpot_rate.h); warns above a fiftieth, a quarter of m12/gamma_n, the same of
+/// a pair's tangential dashpot, and three quarters of that of all contacts with both. Linear law: t_c of the
+/// lightest discs of each pair of types. Hertz: the shorter of two times: t_c at the impact velocity, or at
+/// the sum of the largest present speeds of both types if that is larger; and pi / sqrt(k/m12) with the
 /// tangent stiffness k at the largest present overlap, or k_t for a law with a spring. `style`: prefix of
 /// messages. Collective; call when the neighbour list is built.
 void check_time_step(LAMMPS_NS::LAMMPS& engine, const LAMMPS_NS::NeighList& list, const std::string& style,
                      const TimeScales& law);
+
+/// At the end of a run, whose contacts may not have been there at its start: warns if their dashpots were
+/// unstable.
+void check_time_step_of_run(LAMMPS_NS::LAMMPS& engine, const LAMMPS_NS::NeighList& list,
+                            const std::string& style, const TimeScales& law);
 
 }  // namespace mikromakro::styles

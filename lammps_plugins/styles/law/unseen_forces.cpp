@@ -87,8 +87,8 @@ void warn_of_unseen_forces(LAMMPS& engine) {
   const std::string forces = unseen_forces(engine), outputs = outputs_of_contacts(*engine.modify);
   if (forces.empty() || outputs.empty()) return;
   warn(engine, forces + ": forces on discs that " + outputs +
-                   " will not have: contacts, stress and the account of energy miss them; a smooth wall "
-                   "that they have is 'fix ID group wall/disc'");
+                   " will not include: they are missing from contacts, stress and the energy balance; a "
+                   "smooth wall that is included is 'fix ID group wall/disc'");
 }
 
 }  // namespace mikromakro::styles

@@ -62,7 +62,8 @@ int FixNveDisc::setmask() {
 /// Checks the requirements of a run; a minimisation moves discs itself.
 void FixNveDisc::check_run() const {
   if (domain->dimension != 2)
-    error->all(FLERR, "fix nve/disc: discs live in two dimensions; put 'dimension 2' before the box");
+    error->all(FLERR,
+               "fix nve/disc: discs require a two-dimensional simulation; put 'dimension 2' before the box");
   if (update->whichflag != 1) return;
   if (std::strncmp(update->integrate_style, "verlet", 6) != 0)
     stop(*lmp, "fix nve/disc", std::string("expected 'run_style verlet', got ") + update->integrate_style);
@@ -181,6 +182,7 @@ void FixNveDisc::post_run() {
     law_->copy_histories_to_atoms();
     end_step();
   }
+  if (law_) law_->run_ended();
   keep_last_forces();
 }
 

@@ -35,7 +35,8 @@ void ComputeContactDisc::compute_local() {
   if (!append_contact_rows(*lmp, groupbit, rows_)) {
     stop(*lmp, "compute contact/disc",
          "the forces of step " + std::to_string(update->ntimestep) +
-             " were not recorded; expected to be asked in a step of output, or by a fix that has said when");
+             " were not recorded; expected to be invoked in an output step, or by a fix that announced the "
+             "step");
   }
   row_pointers_.clear();
   for (auto& row : rows_) row_pointers_.push_back(row.data());

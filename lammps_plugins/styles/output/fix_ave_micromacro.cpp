@@ -61,7 +61,7 @@ void name_options(const CLI::App& app, std::vector<std::string>& words) {
     const std::string name = option_name(word);
     const CLI::Option* option = app.get_option_no_throw(name);
     if (!option && values-- <= 0)
-      throw bad_input({"options"}, "unknown option", "those of `mikromakro average` without dashes",
+      throw bad_input({"options"}, "unknown option", "an option of `mikromakro average`, without dashes",
                       with_guess(app, word));
     if (!option) continue;
     if (name != "--out" && !seen.insert(name).second)
@@ -120,7 +120,7 @@ void FixAveMicromacro::parse(std::vector<std::string> words) {
     app.parse(words);
   } catch (const CLI::ParseError& error) {
     throw Error(Error::Kind::bad_input,
-                complaint(app, error, "those of `mikromakro average` without dashes"));
+                complaint(app, error, "an option of `mikromakro average`, without dashes"));
   }
 }
 
@@ -151,8 +151,10 @@ void FixAveMicromacro::setup(int /*vflag*/) {
 void FixAveMicromacro::warn_of_change() {
   auto constants = active_disc_law(*lmp)->given_constants();
   if (!constants_.empty() && constants_ != constants && averaged_.sums.frames() > 0)
-    print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style +
-                         "): constants of the law have changed: the averages hold frames of before, too");
+    print_line(
+        *lmp,
+        "WARNING: fix " + std::string(id) + " (" + style +
+            "): constants of the law have changed: the averages also include frames from before the change");
   constants_ = std::move(constants);
 }
 
@@ -173,7 +175,7 @@ void FixAveMicromacro::warn_of(const std::string& name, const std::string& keywo
       std::string text = std::string("fix ") + id + " (" + style + "): " + keyword + " " + text_of(given);
       text += hertz ? " N/m is used, but the law is Hertzian, whose kn is in N/m^2"
                     : " is used, but the law has " + text_of(value) +
-                          ", by types perhaps: fields that take it are those of the first";
+                          " (perhaps for some types only): fields that use it are computed with the first";
       warn(*lmp, text);
       return;
     }
@@ -208,23 +210,30 @@ bool FixAveMicromacro::needs_forces() const {
 void FixAveMicromacro::look(const Frame& frame) {
   VolumeOptions volumes = options_.volumes;
   volumes.height = 0;
-  note_volumes(frame, volumes, notes_);
-  note_friction(frame, options_.fields.numbers.friction_coefficient, notes_);
-  note_stiffness(frame, options_.fields.numbers.normal_stiffness, notes_);
-  if (needs_forces()) note_branch(frame, options_.volumes, notes_);
+  note_volumes(frame, volumes, *notes_);
+  note_friction(frame, options_.fields.numbers.friction_coefficient, *notes_);
+  note_stiffness(frame, options_.fields.numbers.normal_stiffness, *notes_);
+  if (needs_forces()) note_branch(frame, options_.volumes, *notes_);
   if (discs_) return;
   const auto solid = make_averager(options_.volumes, make_fields({"solid_fraction"}));
   discs_ = (solid->frame_sums(frame) != 0).any();
 }
 
-/// Once for all tables.
-void FixAveMicromacro::tell() {
-  if (told_) return;
-  if (!discs_) notes_.add("no disc lies in the volumes, or is of the types that are averaged");
-  for (std::string text : notes_.lines()) {
+std::vector<std::string> FixAveMicromacro::warnings() {
+  if (!discs_) notes_->add("no disc lies in the volumes, or none is of an averaged type");
+  std::vector<std::string> texts = notes_->lines();
+  for (std::string& text : texts)
     if (text.starts_with("--")) text.erase(0, 2);
-    print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + text);
-    told_ = true;
+  return texts;
+}
+
+/// On the screen once, above each table.
+void FixAveMicromacro::tell(Preamble& lines) {
+  for (const std::string& text : warnings()) {
+    lines.emplace_back("warning", text);
+    // Without the number of times, which differs between windows.
+    if (told_.insert(text.substr(0, text.rfind(" ("))).second)
+      print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + text);
   }
 }
 
@@ -233,8 +242,8 @@ void FixAveMicromacro::run_ended() {
   announced_ = true;
   const LAMMPS_NS::bigint next = (update->ntimestep / write_every_ + 1) * write_every_;
   print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + std::to_string(waiting_) +
-                       " frames are in no table yet: Nfreq = " + std::to_string(write_every_) +
-                       " makes the next one in step " + std::to_string(next));
+                       " frames are not in any table yet: Nfreq = " + std::to_string(write_every_) +
+                       " writes the next one in step " + std::to_string(next));
 }
 
 void FixAveMicromacro::write() {
@@ -242,11 +251,14 @@ void FixAveMicromacro::write() {
   Preamble lines = {
       {"program", "mikromakro " MIKROMAKRO_VERSION " fix ave/micromacro"},
       {"run", std::string("group ") + group->names[igroup] + ", every " + std::to_string(nevery) + " steps"}};
+  tell(lines);
   if (needs_forces() && has_engine_walls(*modify))
     lines.emplace_back("warning", std::string("contacts with ") + engine_walls + " are not in the averages");
-  tell();
   write_averages(options_, averaged_table(options_, *averager_, averaged_, std::move(lines)), outputs);
-  if (windows_) averaged_ = {no_sums(options_, *averager_), {}};
+  if (!windows_) return;
+  averaged_ = {no_sums(options_, *averager_), {}};
+  notes_.emplace();
+  discs_ = false;
 }
 
 }  // namespace mikromakro::styles

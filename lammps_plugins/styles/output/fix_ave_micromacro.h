@@ -18,10 +18,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "dialect.h"
+#include "io/tables/csv_writer.h"
 #include "law/agreement.h"
 #include "law/contact_rows.h"
 #include "law/contact_schedule.h"
@@ -56,7 +59,8 @@ class FixAveMicromacro : public FixWithClock, public ContactObserver, public Fil
   void write();
   bool needs_forces() const;
   void look(const Frame& frame);
-  void tell();
+  std::vector<std::string> warnings();
+  void tell(Preamble& lines);
   void warn_of_change();
   void warn_of_constants() const;
   void warn_of(const std::string& name, const std::string& keyword, double given) const;
@@ -68,10 +72,10 @@ class FixAveMicromacro : public FixWithClock, public ContactObserver, public Fil
   bool announced_ = false;                   // next frame announced since the last one
   bool windows_ = false;                     // each file holds its own frames only
   std::unique_ptr<const Averager> averager_;
-  Averaged averaged_;  // on the first rank, as are those below
-  Notes notes_;
-  bool discs_ = false;  // some disc has been in the volumes
-  bool told_ = false;
+  Averaged averaged_;                          // on the first rank, as are those below
+  std::optional<Notes> notes_{std::in_place};  // of the frames of the next table
+  bool discs_ = false;                         // some disc was in the volumes in one of them
+  std::set<std::string> told_;
 };
 
 }  // namespace mikromakro::styles

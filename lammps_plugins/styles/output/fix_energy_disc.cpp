@@ -111,7 +111,7 @@ FixEnergyDisc::Contacts FixEnergyDisc::sum_of_rows() const {
 FixEnergyDisc::Contacts FixEnergyDisc::evaluate() {
   rows_.clear();
   if (!append_contact_rows(*lmp, groupbit, rows_))
-    stop(*lmp, style, "expected the contacts of this step; define it behind the fixes with walls");
+    stop(*lmp, style, "expected the contacts of this step; define it after the fixes with walls");
   find_walls();
   return physics::with_law(active_disc_law(*lmp)->effects().normal,
                            [this](auto law) { return sum_of_rows<decltype(law)>(); });

@@ -94,8 +94,8 @@ void FixSnapshotDisc::check_order() const {
       stop(*lmp, style,
            std::string("its first frame needs the forces of fix ") + fix->id + " (" + fix->style +
                "), which is defined after it; expected fix " + id +
-               " behind the fixes with walls ('unfix' it and define it again, with 'append yes' where the "
-               "file goes on)");
+               " after the fixes with walls ('unfix' it and define it again, with 'append yes' to continue "
+               "its file)");
     behind = behind || fix == this;
   }
 }

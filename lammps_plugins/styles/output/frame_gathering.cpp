@@ -164,7 +164,7 @@ void warn_of_discs_outside(LAMMPS& engine, const LAMMPS_NS::Fix& fix) {
   if (outside == 0) return;
   warn(engine, std::string("fix ") + fix.id + " (" + fix.style + "): " + std::to_string(outside) +
                    " discs are not in group " + engine.group->names[fix.igroup] +
-                   ": contacts with them are left out, and missing in stress and coordination");
+                   ": contacts with them are left out, and are missing from stress and coordination");
 }
 
 }  // namespace mikromakro::styles

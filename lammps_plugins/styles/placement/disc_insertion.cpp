@@ -67,12 +67,15 @@ void check_ready_for_discs(LAMMPS_NS::LAMMPS& engine, const std::string& style) 
   const LAMMPS_NS::Atom& atom = *engine.atom;
   if (!engine.domain->box_exist) stop(engine, style, "expected a simulation box, define one with create_box");
   if (engine.domain->dimension != 2) stop(engine, style, "expected 'dimension 2', got dimension 3");
+  if (engine.domain->triclinic != 0)
+    stop(engine, style, "expected an orthogonal box (region block), got a tilted one (region prism)");
   if (!stores_discs(atom))
     stop(engine, style,
          "expected an atom style with radius and density, such as " + std::string(disc_atom_style));
   if (!atom.tag_enable) stop(engine, style, "expected atoms with ids");
   if (engine.modify->nfix_restart_peratom)
-    stop(engine, style, "expected no data of fixes waiting from a restart file; start a run before it");
+    stop(engine, style,
+         "expected no fix data still pending from a restart file; start a run before this command");
 }
 
 void check_inside_box(LAMMPS_NS::LAMMPS& engine, const std::string& style, const std::string& what,

@@ -120,11 +120,10 @@ void FixWallDisc::warn_outside_box(const SmoothWall& wall) const {
         (open(0) && (x - r < low[0] || x + r > high[0])) || (open(1) && (y - r < low[1] || y + r > high[1]));
   }
   if (outside && comm->me == 0)
-    error->warning(FLERR,
-                   ("fix " + std::string(id) + " (" + style +
-                    "): the wall stands outside of the box, where discs are lost before they reach it; "
-                    "expected a larger box, or shrink-wrapped boundaries")
-                       .c_str());
+    error->warning(FLERR, ("fix " + std::string(id) + " (" + style +
+                           "): the wall is outside of the box, where discs are lost before they reach it; "
+                           "expected a larger box, or shrink-wrapped boundaries")
+                              .c_str());
 }
 
 SmoothWall FixWallDisc::wall_at(LAMMPS_NS::bigint step) const {
@@ -222,9 +221,10 @@ void FixWallDisc::write_restart(FILE* file) {
 void FixWallDisc::restart(char* buffer) {
   const auto state = read_state<SavedState>(*lmp, *this, buffer);
   if (!same_place(state.wall, settings_.wall)) {
-    print_line(*lmp,
-               "WARNING: fix " + std::string(id) + " (" + style +
-                   "): not where the restart file has it: it begins anew at the place that the script gives");
+    print_line(
+        *lmp,
+        "WARNING: fix " + std::string(id) + " (" + style +
+            "): not where it was in the restart file: it starts afresh at the position given in the script");
     return;
   }
   clock_ = physics::StepClock(state.elapsed, static_cast<LAMMPS_NS::bigint>(state.step_of_clock), state.dt);

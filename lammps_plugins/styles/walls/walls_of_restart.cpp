@@ -32,9 +32,8 @@ WallsOfRestart::WallsOfRestart(const LAMMPS_NS::LAMMPS& engine, std::string styl
 void WallsOfRestart::warn_of_unclaimed(LAMMPS_NS::LAMMPS& engine) {
   for (const std::string& name : names_)
     if (engine.modify->find_fix(name.c_str()) < 0)
-      print_line(engine,
-                 "WARNING: " + style_ + ": the restart file holds the walls of fix " + name +
-                     ", which the script does not define: where they stood, and their springs, are left out");
+      print_line(engine, "WARNING: " + style_ + ": the restart file holds the walls of fix " + name +
+                             ", which the script does not define: their positions and springs are discarded");
   names_.clear();
 }
 

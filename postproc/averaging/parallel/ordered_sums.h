@@ -16,6 +16,7 @@ struct FrameSums {
   std::int64_t step = 0;
   std::int64_t run = 0;       ///< see Frame::run
   double time = not_given;    ///< s
+  double places = not_given;  ///< sum of the coordinates of some discs: the same bits for the same frame
   Eigen::ArrayXd walls = {};  ///< numbers of all Frame::walls, one after the other
   Rows sums;
 };

@@ -117,7 +117,8 @@ class Rounds {
     for (const FrameSums& sums : waiting_) {
       const std::int64_t frame[4] = {sums.index, sums.step, sums.run, sums.walls.size()};
       MPI_Send(frame, 4, MPI_INT64_T, 0, 0, MPI_COMM_WORLD);
-      MPI_Send(&sums.time, 1, MPI_DOUBLE, 0, 0, MPI_COMM_WORLD);
+      const double numbers[2] = {sums.time, sums.places};
+      MPI_Send(numbers, 2, MPI_DOUBLE, 0, 0, MPI_COMM_WORLD);
       MPI_Send(sums.walls.data(), static_cast<int>(sums.walls.size()), MPI_DOUBLE, 0, 0, MPI_COMM_WORLD);
       MPI_Send(sums.sums.data(), static_cast<int>(sums.sums.size()), MPI_DOUBLE, 0, 0, MPI_COMM_WORLD);
     }
@@ -127,13 +128,15 @@ class Rounds {
     for (std::int64_t i = 0; i < header.frames; ++i) {
       std::int64_t frame[4] = {};
       MPI_Recv(frame, 4, MPI_INT64_T, from, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+      double numbers[2] = {};
+      MPI_Recv(numbers, 2, MPI_DOUBLE, from, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
       FrameSums sums{frame[0],
                      frame[1],
                      frame[2],
-                     not_given,
+                     numbers[0],
+                     numbers[1],
                      Eigen::ArrayXd(frame[3]),
                      Rows(header.rows, header.columns)};
-      MPI_Recv(&sums.time, 1, MPI_DOUBLE, from, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
       MPI_Recv(sums.walls.data(), static_cast<int>(sums.walls.size()), MPI_DOUBLE, from, 0, MPI_COMM_WORLD,
                MPI_STATUS_IGNORE);
       MPI_Recv(sums.sums.data(), static_cast<int>(sums.sums.size()), MPI_DOUBLE, from, 0, MPI_COMM_WORLD,
@@ -179,6 +182,11 @@ void Ranks::agree(const std::function<void()>& action) const {
   } else {
     settle(error_of(action), 0);
   }
+}
+
+std::int64_t Ranks::of_first(std::int64_t number) const {
+  if (size_ > 1) MPI_Bcast(&number, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+  return number;
 }
 
 FrameSelection Ranks::own_part(FrameSelection selection) const {

@@ -35,6 +35,9 @@ class Ranks {
   /// Collective. An exception other than Error becomes a failed run.
   void agree(const std::function<void()>& action) const;
 
+  /// The number that rank 0 has. Collective.
+  std::int64_t of_first(std::int64_t number) const;
+
   /// The frames of this rank: r, r + P, ... of the selected ones.
   FrameSelection own_part(FrameSelection selection) const;
 

@@ -21,7 +21,7 @@ void check_edges(const std::vector<double>& edges) {
     throw bad_input({"--grid"}, "too few edges", "2 or more", fmt::format("{}", edges.size()));
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (!std::isfinite(edges[i]) || (i > 0 && !(edges[i] > edges[i - 1])))
-      throw bad_input({"--grid"}, "edges do not ascend", "finite numbers, each more than the one before",
+      throw bad_input({"--grid"}, "edges do not increase", "finite numbers, each larger than the one before",
                       fmt::format("{}", edges[i]));
   }
 }

@@ -9,7 +9,7 @@
 namespace mikromakro {
 
 /// Rectangles x_edges[i] <= x < x_edges[i+1], y_edges[j] <= y < y_edges[j+1] (m), x varying fastest: index j
-/// N_x + i; basis (e_x, e_y). Throws (bad input) on fewer than two edges, edges that do not ascend, and
+/// N_x + i; basis (e_x, e_y). Throws (bad input) on fewer than two edges, edges that do not increase, and
 /// height <= 0.
 class GridVolumes : public Volumes {
  public:

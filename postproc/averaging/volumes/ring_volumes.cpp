@@ -33,7 +33,7 @@ RingVolumes::RingVolumes(const Eigen::Vector2d& centre, std::vector<double> edge
     throw bad_input({"--edges"}, "negative radius", "0 or more", fmt::format("{}", edges_[0]));
   for (std::size_t i = 1; i < edges_.size(); ++i) {
     if (!(edges_[i] > edges_[i - 1]) || !std::isfinite(edges_[i])) {
-      throw bad_input({"--edges"}, "radii do not ascend", fmt::format("more than {}", edges_[i - 1]),
+      throw bad_input({"--edges"}, "radii do not increase", fmt::format("more than {}", edges_[i - 1]),
                       fmt::format("{}", edges_[i]));
     }
   }

@@ -7,7 +7,7 @@
 namespace mikromakro {
 
 /// Rings edges[k] <= r < edges[k+1] around `centre` (m), with the polar basis (e_r, e_phi) at each point; at
-/// the centre e_r is the x direction. Throws (bad input) on fewer than two edges, edges that do not ascend
+/// the centre e_r is the x direction. Throws (bad input) on fewer than two edges, edges that do not increase
 /// from 0 or more, and height <= 0.
 class RingVolumes : public Volumes {
  public:

@@ -25,14 +25,17 @@ struct Sector {
 void add_sector(const Sector& sector, const Eigen::Vector2d& center, Eigen::Index row,
                 std::vector<Outline>& outlines) {
   const int pieces = static_cast<int>(std::ceil((sector.end - sector.begin) / longest_piece));
+  const auto angle = [&](double piece) {
+    return (sector.begin + (sector.end - sector.begin) * piece / pieces) * std::numbers::pi / 180;
+  };
   const auto at = [&](double radius, int piece) -> Eigen::Vector2d {
-    const double angle =
-        (sector.begin + (sector.end - sector.begin) * piece / pieces) * std::numbers::pi / 180;
-    return center + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    return center + radius * Eigen::Vector2d(std::cos(angle(piece)), std::sin(angle(piece)));
   };
   for (int i = 0; i < pieces; ++i)
     outlines.push_back(
-        {{at(sector.inner, i), at(sector.outer, i), at(sector.outer, i + 1), at(sector.inner, i + 1)}, row});
+        {{at(sector.inner, i), at(sector.outer, i), at(sector.outer, i + 1), at(sector.inner, i + 1)},
+         row,
+         angle(i + 0.5)});
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ class GzipSource : public ByteSource {
     if (members_ > 0 && *stream_.next_in == 0) padded_ = true;
     if (padded_) {
       Bytef* const other = std::find_if(stream_.next_in, end, [](Bytef byte) { return byte != 0; });
-      if (other != end) complain_of_rest(place, "zeros, and data behind them");
+      if (other != end) complain_of_rest(place, "zeros followed by data");
       stream_.avail_in = 0;
       return false;
     }
@@ -107,7 +107,7 @@ class GzipSource : public ByteSource {
 
   [[noreturn]] static void complain_of_rest(const Place& place, std::string_view got) {
     throw bad_input({place.file},
-                    "the file goes on behind its gzip data (files joined by cat: compress each, or none)",
+                    "the file continues after its gzip data (files joined by cat: compress each, or none)",
                     "gzip data up to the end of the file", got);
   }
 

@@ -122,7 +122,7 @@ void require_columns(const ColumnMap& map, ColumnSet needed, const ColumnNames& 
           : fmt::format(" ({}name them with {})",
                         no_radius ? "dump the engine's radius or diameter, or " : "", names.option);
   throw bad_input(place, "columns are missing" + way_out, fmt::format("{}", fmt::join(missing, " ")),
-                  given.empty() ? "none that is known" : fmt::format("only {}", fmt::join(given, " ")));
+                  given.empty() ? "none that is recognized" : fmt::format("only {}", fmt::join(given, " ")));
 }
 
 }  // namespace mikromakro

@@ -19,7 +19,7 @@ struct Kind {
   std::string_view way_out;
 };
 
-constexpr std::string_view decompress = "plain text, gzip or zstd (decompress it, or pack it anew)";
+constexpr std::string_view decompress = "plain text, gzip or zstd (decompress it, or recompress it)";
 constexpr std::string_view dump = "a text dump as `dump custom` and `dump local` write it";
 
 // Signatures from the format specifications.
@@ -35,8 +35,8 @@ constexpr Kind kinds[] = {
     {"PK\x03\x04"sv, "zip", decompress},
     {"7z\xbc\xaf\x27\x1c"sv, "7z", decompress},
     {"\x89HDF\r\n\x1a\n"sv, "HDF5",
-     "text (HDF5 snapshots of ours are inputs of average, audit, draw without --particles; a table is read "
-     "as .csv)"},
+     "text (HDF5 snapshots of mikromakro are inputs of average, audit, draw without --particles; a table is "
+     "read as .csv)"},
     {"CDF\x01"sv, "NetCDF", dump},
     {"CDF\x02"sv, "NetCDF", dump},
     {"CDF\x05"sv, "NetCDF", dump},

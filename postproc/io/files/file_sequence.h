@@ -75,13 +75,13 @@ class FileSequence : public FrameFiles<typename Reader::Header, typename Reader:
 
  private:
   static constexpr std::string_view replaced_text =
-      "frames whose steps come again later in the files (a run that went on from a restart file) are left "
-      "out";
+      "frames whose steps occur again later in the files (a run continued from a restart file) are left out";
 
   bool next_of_all(Header& header) {
     while (!reader_ || !reader_->next_header(header)) {
       if (reader_ && reader_->cut())
-        notes_->add(reader_->file() + ": the compressed file is cut: only its complete frames count");
+        notes_->add(reader_->file() +
+                    ": the compressed file is truncated: only its complete frames are used");
       if (opened_ == files_.size()) return false;
       bytes_before_ = bytes_read();
       reader_ = std::make_unique<Reader>(files_[opened_++]);

@@ -119,7 +119,7 @@ void OutputFile::publish() {
 
 void OutputFile::require_regular() const {
   if (!is_replaced())
-    throw bad_input({file_}, "this kind of output is not written from front to back", "a regular file",
+    throw bad_input({file_}, "this kind of output cannot be written as a stream", "a regular file",
                     "a pipe or a device");
 }
 

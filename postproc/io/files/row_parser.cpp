@@ -125,7 +125,7 @@ void check_repeats(std::string_view line, const ColumnMap& map, std::span<const 
   for (const auto& [column, slot] : map.repeats) {
     const double first = slots[static_cast<std::size_t>(slot)];
     if (parse_number(all[column], place) != first)
-      throw bad_input(place, "a column that is there twice differs", fmt::format("{} in both", first),
+      throw bad_input(place, "a column that occurs twice differs", fmt::format("{} in both", first),
                       in_quotes(all[column]));
   }
 }

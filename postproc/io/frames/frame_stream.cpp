@@ -23,7 +23,7 @@ namespace {
 void check_ids(const IdMap& ids, const RawFrame& raw) {
   const int twice = ids.duplicate();
   if (twice < 0) return;
-  throw bad_input(raw.place_of_particle(static_cast<std::size_t>(twice)), "two particles of one id",
+  throw bad_input(raw.place_of_particle(static_cast<std::size_t>(twice)), "two particles with the same id",
                   "each id once per frame (another run: its own --particles)",
                   fmt::format("{} again", raw.particles[static_cast<std::size_t>(twice)].id));
 }
@@ -33,7 +33,7 @@ void set_masses(RawFrame& raw, double density) {
   constexpr ColumnSet mass = column_set(ParticleColumn::mass);
   if ((raw.particles_given & mass) != 0)
     throw bad_input({raw.particle_file, raw.first_particle_line - 1}, "the file gives masses",
-                    "no --density beside them", "both");
+                    "no --density with them", "both");
   const double in_units = density * raw.units.length * raw.units.length / raw.units.mass;
   for (Particle& particle : raw.particles)
     particle.mass = in_units * std::numbers::pi * particle.radius * particle.radius;
@@ -54,14 +54,14 @@ void note_boundaries(const RawFrame& raw, Notes* notes) {
   const auto out = std::count_if(raw.particles.begin(), raw.particles.end(),
                                  [&](const Particle& disc) { return reaches_out(disc, raw.box); });
   if (out > 0)
-    notes->add("the files do not say whether the box is periodic: discs that reach out of it have no images",
+    notes->add("the files do not say whether the box is periodic: discs that extend beyond it have no images",
                raw.step, out);
 }
 
 void complete(RawFrame& raw, double density, bool contacts_required) {
   if (contacts_required && !raw.with_contacts)
-    throw bad_input({raw.particle_file}, "the file holds no contacts",
-                    "contacts, or --fields of those that need none", "none");
+    throw bad_input({raw.particle_file}, "the file holds no contacts", "contacts, or --fields that need none",
+                    "none");
   set_masses(raw, density);
 }
 
@@ -69,8 +69,8 @@ std::unique_ptr<FrameFormat> open_run(const Run& run, const ColumnWishes& wishes
   if (!run.snapshot_files.empty()) return std::make_unique<SnapshotReader>(run.snapshot_files, wishes);
   if (MercuryDataReader::recognises(run.particle_files.front())) {
     if (!run.wall_files.empty())
-      throw bad_input({run.particle_files.front()}, "MercuryDPM's .fstat holds the walls",
-                      "no --wall-contacts beside it", "them");
+      throw bad_input({run.particle_files.front()}, "MercuryDPM's .fstat contains the walls",
+                      "no --wall-contacts with it", "them");
     return std::make_unique<MercuryFrames>(run.particle_files, run.contact_files, wishes);
   }
   return std::make_unique<TextFrames>(run.particle_files, run.contact_files, wishes, run.wall_files);

@@ -99,7 +99,7 @@ Hdf5Shape Hdf5Dataset::shape() const {
 
 void Hdf5Dataset::grow(const Hdf5Shape& shape) {
   if (H5Dset_extent(id_.get(), sizes(shape).data()) < 0)
-    throw run_failed(fmt::format("{}: cannot take more", place_),
+    throw run_failed(fmt::format("{}: cannot be extended", place_),
                      "space on the disk, and a dataset that may grow (written by mikromakro)", last_reason());
 }
 
@@ -183,7 +183,7 @@ bool Hdf5File::has(const std::string& path) const {
 }
 
 Hdf5Dataset Hdf5File::add_growing(const std::string& path, Hdf5Type type, const Hdf5Shape& chunk,
-                                  std::int64_t fill, bool checked) {
+                                  std::int64_t fill, bool checked, bool packed) {
   add_groups_above(path);
   const std::vector<hsize_t> none(chunk.size(), 0);
   const std::vector<hsize_t> any(chunk.size(), H5S_UNLIMITED);
@@ -191,6 +191,11 @@ Hdf5Dataset Hdf5File::add_growing(const std::string& path, Hdf5Type type, const 
   const Hdf5Id space(H5Screate_simple(rank, none.data(), any.data()), H5Sclose);
   const Hdf5Id list = without_times(H5P_DATASET_CREATE);
   H5Pset_chunk(list.get(), rank, sizes(chunk).data());
+  constexpr unsigned quick = 1;
+  if (packed) {
+    H5Pset_shuffle(list.get());
+    H5Pset_deflate(list.get(), quick);
+  }
   if (checked) H5Pset_fletcher32(list.get());
   if (type == Hdf5Type::integer) H5Pset_fill_value(list.get(), H5T_NATIVE_INT64, &fill);
   Hdf5Id id(

@@ -120,8 +120,9 @@ class Hdf5File {
 
   /// Adds a dataset that can grow in every dimension; `chunk` is the HDF5 chunk shape, `checked` adds a
   /// checksum per chunk, so that flipped bits are detected. `fill`: value of integers never written.
+  /// `packed`: compressed by zlib, for files that other programs read (ChunkReader does not).
   Hdf5Dataset add_growing(const std::string& path, Hdf5Type type, const Hdf5Shape& chunk,
-                          std::int64_t fill = 0, bool checked = true);
+                          std::int64_t fill = 0, bool checked = true, bool packed = false);
   Hdf5Dataset dataset(const std::string& path) const;
   template <typename T>
   void add(const std::string& path, std::span<const T> numbers, const Hdf5Shape& shape) {

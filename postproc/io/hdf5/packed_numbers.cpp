@@ -75,7 +75,7 @@ bool fletcher32_fits(std::span<const char> bytes) {
 
 const char* PackedChunk::numbers() const {
   if (summed_) std::call_once(once_, [this] { fits_ = fletcher32_fits({bytes_.get(), size_}); });
-  if (!fits_) throw bad_input({place_}, "the file is damaged", "numbers that fit their sum", "others");
+  if (!fits_) throw bad_input({place_}, "the file is damaged", "numbers that match their checksum", "others");
   return bytes_.get();
 }
 

@@ -36,7 +36,7 @@ void note_other_radii(const RawFrame& frame, const MercuryBlock& contacts, Notes
   const auto differs = [](double told, double radius) { return std::abs(told - radius) > digits * radius; };
   if (differs(contacts.header.radii->smallest, smallest->radius) ||
       differs(contacts.header.radii->largest, largest->radius))
-    notes.add(fmt::format("{}: the radii in the header are not those of the particles (of another run? "
+    notes.add(fmt::format("{}: the radii in the header are not those of the particles (from another run? "
                           "radii of interaction?)",
                           contacts.file),
               frame.step);

@@ -54,7 +54,7 @@ class MercuryReader {
  public:
   using Header = MercuryHeader;
   using Block = MercuryBlock;
-  static constexpr std::string_view not_ascending = "times do not ascend";
+  static constexpr std::string_view not_ascending = "times do not increase";
   static constexpr bool has_pieces = false;
 
   /// None if a truncated compressed file ends among the rows (in .fstat: anywhere after the header).

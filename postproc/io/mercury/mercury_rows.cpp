@@ -87,7 +87,7 @@ bool is_species(double number) {
 
 void check_index(std::int64_t index, const std::vector<Particle>& particles, const Place& place) {
   if (index >= 0 && index < std::ssize(particles)) return;
-  throw bad_input(place, "contact of an unknown particle (a copy across a periodic boundary?)",
+  throw bad_input(place, "contact with an unknown particle (a copy across a periodic boundary?)",
                   fmt::format("an index of the .data frame, 0 to {}", std::ssize(particles) - 1),
                   fmt::format("{}", index));
 }
@@ -112,8 +112,8 @@ void check_tangent(const FstatRow& row, const Place& place) {
   const bool right =
       std::abs(row.tangent.norm() - 1) <= digits && std::abs(row.tangent.dot(row.normal)) <= digits;
   if (row.tangential_force != 0 && !right)
-    throw bad_input(place, "the tangent is no unit vector across the normal",
-                    "t_x t_y of length 1 beside a tangential force",
+    throw bad_input(place, "the tangent is not a unit vector perpendicular to the normal",
+                    "t_x t_y of length 1 with a tangential force",
                     fmt::format("{:.9g} {:.9g}", row.tangent.x(), row.tangent.y()));
 }
 
@@ -171,7 +171,7 @@ bool is_mirrored(const FstatRow& row, std::map<std::pair<std::int64_t, std::int6
                     first.tangential_force == row.tangential_force && first.normal == -row.normal &&
                     first.tangent == -row.tangent;
   if (!same)
-    throw bad_input(place, "the two rows of a contact differ", "the same numbers, n and t turned round",
+    throw bad_input(place, "the two rows of a contact differ", "the same numbers, with n and t reversed",
                     "others");
   return true;
 }
@@ -197,7 +197,7 @@ std::vector<Particle> mercury_particles(const MercuryBlock& block, ColumnSet nee
     const double species = at(ParticleColumn::type);
     if (!is_species(species)) {
       if ((needed & type_column) != 0)
-        throw bad_input(place, "the last column is no species", "a whole number from 0 on",
+        throw bad_input(place, "the last column is not a species", "a whole number >= 0",
                         fmt::format("{}", species));
       given &= ~type_column;
     }

@@ -25,12 +25,12 @@ void check_discs(const RawFrame& there, const RawFrame& present, const std::stri
     ++common;
     const Particle& disc = present.particles[static_cast<std::size_t>(index)];
     if (disc.type != old.type || disc.radius != old.radius)
-      throw bad_input({file}, fmt::format("is of another system, disc {} differs", old.id),
+      throw bad_input({file}, fmt::format("belongs to another system, disc {} differs", old.id),
                       fmt::format("type {} and radius {:.17g} m", old.type, old.radius),
                       fmt::format("type {} and radius {:.17g} m", disc.type, disc.radius));
   }
   if (common == 0 && !there.particles.empty())
-    throw bad_input({file}, "is of another system", "discs that the file has", "none of them");
+    throw bad_input({file}, "belongs to another system", "discs that the file has", "none of them");
 }
 
 // The frame at `index` of the file.
@@ -98,7 +98,7 @@ std::int64_t SnapshotLog::resume(const RawFrame& present) {
 void SnapshotLog::add(const RawFrame& frame) {
   if (begun_ && frame.step == last_step_) return;
   if (begun_ && frame.step < last_step_)
-    throw bad_input({file_}, "time steps do not ascend", fmt::format("more than {}", last_step_),
+    throw bad_input({file_}, "time steps do not increase", fmt::format("more than {}", last_step_),
                     fmt::format("{}", frame.step));
   RawFrame shifted;
   const bool shifts = time_shift_ != 0;

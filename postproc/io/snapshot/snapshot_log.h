@@ -24,8 +24,8 @@ class SnapshotLog {
   std::int64_t resume(const RawFrame& present);
 
   /// Appends the frame, in a new file unless one was resumed; does nothing if the last frame has the same
-  /// step. Throws on steps that do not ascend, on another program writing to the same file (failed run), and
-  /// on everything that SnapshotWriter throws on.
+  /// step. Throws on steps that do not increase, on another program writing to the same file (failed run),
+  /// and on everything that SnapshotWriter throws on.
   void add(const RawFrame& frame);
 
  private:

@@ -30,7 +30,7 @@ std::string text_of(const std::vector<double>& values) {
 void check(const std::string& file, const std::string& name, const std::string& there,
            const std::string& wanted) {
   if (there == wanted) return;
-  throw bad_input({file}, fmt::format("is of another system, {} differs", name), there, wanted);
+  throw bad_input({file}, fmt::format("belongs to another system, {} differs", name), there, wanted);
 }
 
 // Empty if there is no such dataset, or if it has no unit.

@@ -171,7 +171,7 @@ bool SnapshotReader::open_next() {
   const std::unique_ptr<Open> before = std::move(open_);
   open_ = std::make_unique<Open>(file, wishes_);
   if (before && before->boxes.periodic != open_->boxes.periodic && wishes_.notes)
-    wishes_.notes->add(file + ": the boundaries are not those of the files before (another run?)");
+    wishes_.notes->add(file + ": the boundaries are not those of the earlier files (another run?)");
   if (before && wishes_.notes && are_of_two_systems(*before, *open_))
     wishes_.notes->add(file + ": " + another_system);
   if (const std::size_t other = open_->boxes.first_other(); other > 0 && wishes_.notes)
@@ -191,7 +191,7 @@ bool SnapshotReader::next(std::int64_t& step) {
     if (!open_next()) return false;
   step = open_->summary.steps[frame_++];
   if (step <= last_step_)
-    throw bad_input({place()}, "time steps do not ascend",
+    throw bad_input({place()}, "time steps do not increase",
                     fmt::format("more than {} (another run: its own --snapshots)", last_step_),
                     fmt::format("{}", step));
   last_step_ = step;
@@ -271,15 +271,15 @@ void SnapshotReader::Packed::unpack_particles(RawFrame& frame) const {
       static_cast<std::size_t>(std::find(ids.begin(), ids.end(), snapshot::no_id) - ids.begin());
   if (std::any_of(ids.begin() + static_cast<std::ptrdiff_t>(count), ids.end(),
                   [](std::int64_t id) { return id != snapshot::no_id; }))
-    throw bad_input({place}, fmt::format("place {} has no disc, but places behind it have some", count + 1),
-                    "all discs in front of the places without one", fmt::format("id {}", snapshot::no_id));
+    throw bad_input({place}, fmt::format("slot {} has no disc, but later slots have some", count + 1),
+                    "all discs before the empty slots", fmt::format("id {}", snapshot::no_id));
   std::vector<Stripe> stripes;
   for (std::size_t i = 0; i < std::size(snapshot::elements); ++i) {
     const auto& element = snapshot::elements[i];
     if ((element.columns() & ~particles_given) != 0) continue;
     const auto width = static_cast<std::size_t>(element.width);
     if (elements[i].size() < count * width)
-      throw bad_input({place}, fmt::format("{} is not there for all discs", element.name),
+      throw bad_input({place}, fmt::format("{} is missing for some discs", element.name),
                       fmt::format("{} discs", count), fmt::format("{}", elements[i].size() / width));
     stripes.push_back({&elements[i], static_cast<std::size_t>(element.first), width});
   }

@@ -16,8 +16,8 @@ namespace mikromakro {
 
 /// Reads one frame at a time, and only the columns needed. Checks numbers like the text readers; in messages,
 /// the line is the row within the frame. Throws on missing or damaged HDF5 files, missing columns, time steps
-/// that do not ascend, and non-finite numbers. If a file begins with the last step of the one before it, only
-/// the later frame counts.
+/// that do not increase, and non-finite numbers. If a file begins with the last step of the one before it,
+/// only the later frame counts.
 class SnapshotReader : public FrameFormat {
  public:
   SnapshotReader(std::vector<std::string> files, ColumnWishes wishes);

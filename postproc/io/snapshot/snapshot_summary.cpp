@@ -22,7 +22,7 @@ std::vector<std::int64_t> all_of(const Hdf5File& file, const std::string& path) 
   const Hdf5Dataset dataset = file.dataset(path);
   const Hdf5Shape shape = dataset.shape();
   if (shape.size() != 1)
-    throw bad_input({dataset.place()}, "has another shape", "a number for each frame",
+    throw bad_input({dataset.place()}, "has the wrong shape", "a number for each frame",
                     shape.empty() ? "one number" : fmt::format("{}", fmt::join(shape, " x ")));
   std::vector<std::int64_t> numbers(shape[0]);
   if (dataset.is_whole()) {
@@ -42,7 +42,7 @@ void check_unit(const Hdf5Dataset& dataset, const std::string& path, std::string
   if (unit.empty()) return;
   const auto there = dataset.text_attribute("unit");
   if (there && (there->size() != 1 || there->front() != unit))
-    throw bad_input({name}, fmt::format("{} has another unit", path), in_quotes(unit),
+    throw bad_input({name}, fmt::format("{} has the wrong unit", path), in_quotes(unit),
                     in_quotes(fmt::format("{}", fmt::join(*there, " "))));
 }
 
@@ -51,7 +51,7 @@ void check_shape(const Hdf5Shape& shape, const snapshot::Element& element, const
   const auto width = static_cast<std::uint64_t>(element.width);
   const bool fits = width == 1 ? shape.size() == 2 : shape.size() == 3 && shape[2] == width;
   if (!fits)
-    throw bad_input({name}, fmt::format("{} has another shape", snapshot::value_path(element)),
+    throw bad_input({name}, fmt::format("{} has the wrong shape", snapshot::value_path(element)),
                     width == 1 ? "frames x discs" : fmt::format("frames x discs x {}", width),
                     fmt::format("{}", fmt::join(shape, " x ")));
 }
@@ -64,7 +64,7 @@ void check_steps(const Hdf5File& file, const std::string& path, const std::vecto
   const std::vector<std::int64_t> others = all_of(file, path);
   const auto [step, other] = std::mismatch(steps.begin(), steps.end(), others.begin(), others.end());
   if (step == steps.end()) return;
-  throw bad_input({name}, fmt::format("{} not of the steps of the discs", what),
+  throw bad_input({name}, fmt::format("{} not at the steps of the discs", what),
                   fmt::format("step {}", *step), other == others.end() ? "none" : fmt::format("{}", *other));
 }
 
@@ -75,8 +75,8 @@ std::vector<double> times_of(const Hdf5File& file, std::size_t frames, const std
   check_unit(dataset, times_path, "s", name);
   const Hdf5Shape shape = dataset.shape();
   if (shape.size() != 1 || shape[0] < frames)
-    throw bad_input({name}, fmt::format("{} has another shape", times_path), fmt::format("{} times", frames),
-                    fmt::format("{}", fmt::join(shape, " x ")));
+    throw bad_input({name}, fmt::format("{} has the wrong shape", times_path),
+                    fmt::format("{} times", frames), fmt::format("{}", fmt::join(shape, " x ")));
   std::vector<double> times(frames);
   dataset.read<double>({{0}, {frames}}, times);
   for (const double time : times)
@@ -112,11 +112,11 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
   }
   const Hdf5Shape shape = summary.elements.front().shape();  // of the ids
   if (shape.size() != 2 || shape[0] < summary.steps.size())
-    throw bad_input({name}, "the frames do not fit together",
+    throw bad_input({name}, "the numbers of frames differ",
                     fmt::format("{} frames of ids", summary.steps.size()),
                     fmt::format("{}", shape.empty() ? 0 : shape[0]));
   if (shape[1] > most_rows)
-    throw bad_input({name}, "the number of particles is no number of discs", "less than 2^31",
+    throw bad_input({name}, "the number of particles is not valid", "less than 2^31",
                     fmt::format("{}", shape[1]));
   summary.most_particles = shape[1];
   if (!file.has(snapshot::contacts + "offset")) return summary;
@@ -127,7 +127,7 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
     dataset = file.dataset(path);
     check_unit(dataset, path, snapshot::contact_units[slot], name);
     if (dataset.shape().size() != 1)
-      throw bad_input({dataset.place()}, "has another shape", "a number for each contact",
+      throw bad_input({dataset.place()}, "has the wrong shape", "a number for each contact",
                       fmt::format("{} dimensions", dataset.shape().size()));
     summary.contacts_given |= ColumnSet{1} << slot;
   }
@@ -137,11 +137,11 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
   offsets.resize(std::min(offsets.size(), summary.steps.size() + 1));
   if (offsets.size() != summary.steps.size() + 1 || offsets.front() != 0 ||
       !std::is_sorted(offsets.begin(), offsets.end()))
-    throw bad_input({name}, "contacts do not fit the frames", "offsets that ascend, one more than frames",
+    throw bad_input({name}, "contacts do not fit the frames", "increasing offsets, one more than frames",
                     "others");
   for (std::size_t frame = 1; frame < offsets.size(); ++frame)
     if (static_cast<std::uint64_t>(offsets[frame] - offsets[frame - 1]) > most_rows)
-      throw bad_input({name}, "the number of contacts is that of no frame", "less than 2^31",
+      throw bad_input({name}, "the number of contacts in a frame is not valid", "less than 2^31",
                       fmt::format("{} in frame {}", offsets[frame] - offsets[frame - 1], frame));
   const std::uint64_t rows = (summary.contacts_given & 1U) != 0 ? summary.columns.front().shape().front() : 0;
   if (static_cast<std::uint64_t>(offsets.back()) > rows)

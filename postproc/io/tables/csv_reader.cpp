@@ -95,6 +95,13 @@ Eigen::ArrayXd CsvTable::column(std::string_view name) const {
   return values_.col(found - names_.begin());
 }
 
+CsvTable CsvTable::part(Eigen::Index begin, Eigen::Index rows) const {
+  CsvTable some = *this;
+  some.values_ = values_.middleRows(begin, rows);
+  some.row_lines_.assign(row_lines_.begin() + begin, row_lines_.begin() + begin + rows);
+  return some;
+}
+
 // 'column NAME [UNIT] (EQUATION) TEXT', as written by csv_text().
 std::string CsvTable::unit(std::string_view name) const {
   const std::string begin = fmt::format("column {} [", name);

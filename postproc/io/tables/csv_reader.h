@@ -26,6 +26,8 @@ class CsvTable {
   Eigen::ArrayXd column(std::string_view name) const;
   /// The unit of a column as given in the lines above the table, empty if not given.
   std::string unit(std::string_view name) const;
+  /// Some of its rows, with the same names and lines above.
+  CsvTable part(Eigen::Index begin, Eigen::Index rows) const;
   /// Location of a row (from 0) in the file.
   Place row_place(Eigen::Index row) const { return {file_, row_lines_[static_cast<std::size_t>(row)]}; }
   /// Text of the lines with '#'.

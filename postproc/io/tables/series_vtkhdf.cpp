@@ -18,6 +18,19 @@ bool ascend(const std::vector<double>& numbers) {
          std::is_sorted(numbers.begin(), numbers.end(), std::less_equal<>());
 }
 
+// Appends a vector or tensor of each outline.
+void append(const CartesianPart& part, const Rows& values, const std::vector<Outline>& outlines,
+            std::uint64_t window, Hdf5Dataset& data) {
+  std::vector<double> numbers;
+  for (const Outline& outline : outlines) {
+    const std::vector<double> one = part.at(values, outline.row, outline.direction);
+    numbers.insert(numbers.end(), one.begin(), one.end());
+  }
+  const std::uint64_t cells = outlines.size(), width = part.components();
+  data.reach({(window + 1) * cells, width});
+  data.write<double>({{window * cells, 0}, {cells, width}}, numbers);
+}
+
 // Appends `numbers` in the order of the outlines.
 void append(const std::vector<double>& numbers, std::uint64_t window, Hdf5Dataset& data) {
   const std::uint64_t cells = numbers.size();
@@ -28,11 +41,15 @@ void append(const std::vector<double>& numbers, std::uint64_t window, Hdf5Datase
 }  // namespace
 
 SeriesVtkhdf::SeriesVtkhdf(const std::string& file, SeriesColumns columns, std::vector<Outline> outlines)
-    : out_(begin_vtkhdf(file, 2)), columns_(std::move(columns)), outlines_(std::move(outlines)) {
+    : out_(begin_vtkhdf(file, 2)),
+      columns_(std::move(columns)),
+      outlines_(std::move(outlines)),
+      parts_(cartesian_parts(columns_.values)) {
   add_outlines(out_, outlines_);
   const auto data_of = [&](const Column& column) {
     const std::uint64_t chunk = std::max<std::uint64_t>(outlines_.size(), numbers_per_chunk);
-    return out_.add_growing(root + "CellData/" + column.name, Hdf5Type::real, {chunk});
+    // A ring is many polygons of the same value.
+    return out_.add_growing(root + "CellData/" + column.name, Hdf5Type::real, {chunk}, 0, true, true);
   };
   for (const Column& column : columns_.of_window) window_data_.push_back(data_of(column));
   for (std::size_t i = 0; i < columns_.of_volume.size(); ++i) {
@@ -43,6 +60,10 @@ SeriesVtkhdf::SeriesVtkhdf(const std::string& file, SeriesColumns columns, std::
     append(numbers, 0, volume_data_.back());
   }
   for (const Column& column : columns_.values) value_data_.push_back(data_of(column));
+  for (const CartesianPart& part : parts_)
+    part_data_.push_back(
+        out_.add_growing(root + "CellData/" + part.name, Hdf5Type::real,
+                         {std::max<std::uint64_t>(outlines_.size(), numbers_per_chunk), part.components()}));
 }
 
 void SeriesVtkhdf::add(const Eigen::ArrayXd& window, const Rows& values) {
@@ -59,6 +80,7 @@ void SeriesVtkhdf::add(const Eigen::ArrayXd& window, const Rows& values) {
                    [&](const Outline& outline) { return values(outline.row, static_cast<Eigen::Index>(i)); });
     append(numbers, number, value_data_[i]);
   }
+  for (std::size_t i = 0; i < parts_.size(); ++i) append(parts_[i], values, outlines_, number, part_data_[i]);
 }
 
 void SeriesVtkhdf::write_steps() {
@@ -83,6 +105,7 @@ void SeriesVtkhdf::write_steps() {
   add_offsets(columns_.of_window, offsets);
   add_offsets(columns_.of_volume, none);
   add_offsets(columns_.values, offsets);
+  for (const CartesianPart& part : parts_) add_list("CellDataOffsets/" + part.name, offsets);
 }
 
 void SeriesVtkhdf::finish(const Preamble& /*preamble*/) {
@@ -90,6 +113,7 @@ void SeriesVtkhdf::finish(const Preamble& /*preamble*/) {
   window_data_.clear();
   volume_data_.clear();
   value_data_.clear();
+  part_data_.clear();
   out_.close();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "io/tables/vtkhdf.h"
 
+#include "io/tables/cartesian_parts.h"
+
 namespace mikromakro {
 namespace {
 
@@ -10,6 +12,17 @@ constexpr std::uint8_t vtk_polygon = 7;
 template <typename T>
 void add_list(Hdf5File& out, const std::string& name, const std::vector<T>& numbers) {
   out.add<T>(root + name, numbers, {numbers.size()});
+}
+
+void add_part(Hdf5File& out, const CartesianPart& part, const Table& table,
+              const std::vector<Outline>& outlines) {
+  std::vector<double> values;
+  values.reserve(outlines.size() * part.components());
+  for (const Outline& outline : outlines) {
+    const std::vector<double> one = part.at(table.rows, outline.row, outline.direction);
+    values.insert(values.end(), one.begin(), one.end());
+  }
+  out.add<double>(root + "CellData/" + part.name, values, {outlines.size(), part.components()});
 }
 
 }  // namespace
@@ -54,6 +67,7 @@ void write_vtkhdf(const std::string& file, const Table& table, const std::vector
       values.push_back(table.rows(outline.row, static_cast<Eigen::Index>(i)));
     add_list(out, "CellData/" + table.columns[i].name, values);
   }
+  for (const CartesianPart& part : cartesian_parts(table.columns)) add_part(out, part, table, outlines);
   out.close();
 }
 

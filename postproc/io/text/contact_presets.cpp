@@ -45,7 +45,7 @@ Names columns_of_liggghts(std::size_t count, bool walls, const Place& place) {
   for (const Names& names : every)
     if (names.size() == count) return names;
   throw bad_input(place,
-                  fmt::format("no {} of LIGGGHTS that we know (name the columns one by one)",
+                  fmt::format("no {} of LIGGGHTS that is known here (name the columns one by one)",
                               walls ? "compute wall/gran/local" : "compute pair/gran/local"),
                   "6, 12, 13, 15, 16, 22 or 25 columns", fmt::format("{}", count));
 }
@@ -61,7 +61,7 @@ Names columns_of_lammps(const DumpHeader& header, const Place& place) {
   Names names(counted_rows(header), "-");
   const std::size_t count = header.columns.size() - names.size();
   if (count != short_row && (count < long_row || count > long_row + most_extra))
-    throw bad_input(place, "no compute pair/local of LAMMPS that we know (name the columns one by one)",
+    throw bad_input(place, "no compute pair/local of LAMMPS that is known here (name the columns one by one)",
                     "patom1 patom2 and dist fx fy, or dist force fx fy fz p1 ..., 5 or 7 to 17 columns",
                     fmt::format("{}", count));
   if (count == short_row)

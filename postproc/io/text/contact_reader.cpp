@@ -82,7 +82,7 @@ void check_columns(const ColumnMap& map, const ColumnNames& names, const Place& 
   for (const Group& group : groups)
     if ((map.given & group.any) != 0) require_columns(map, group.all, names, place);
   if (contains(map.given, column_set(xi, shearx)))
-    throw bad_input(place, "the spring is there twice", "xi, or shearx and sheary", "both");
+    throw bad_input(place, "the spring is given twice", "xi, or shearx and sheary", "both");
 }
 
 void check_across(double across, double x, double y, std::string_view name, const Place& place) {
@@ -99,6 +99,19 @@ void check_plane(Slots& row, ColumnSet given, const Place& place) {
   if (contains(given, column_set(z1, z2) | place_columns))
     check_across(at(row, z2) - at(row, z1), at(row, x2) - at(row, x1), at(row, y2) - at(row, y1), "z2 - z1",
                  place);
+}
+
+/// fx fy and ftx fty are then the normal and the tangential force.
+void check_tangential(Slots& row, const Place& place) {
+  constexpr double rounding = 1e-6, turned = 0.05;
+  const double normal = std::hypot(at(row, fx), at(row, fy)),
+               tangential = std::hypot(at(row, ftx), at(row, fty));
+  const double along = at(row, fx) * at(row, ftx) + at(row, fy) * at(row, fty);
+  if (tangential <= rounding * normal || !(std::abs(along) > turned * normal * tangential)) return;
+  throw bad_input(place,
+                  "ftx fty is not perpendicular to the normal force fx fy (columns of other quantities?)",
+                  fmt::format("a multiple of {:.6g} {:.6g}", -at(row, fy) / normal, at(row, fx) / normal),
+                  fmt::format("{:.6g} {:.6g}", at(row, ftx), at(row, fty)));
 }
 
 /// Reads row by row into slots that each row overwrites.
@@ -131,6 +144,7 @@ class RowReader {
     if (at(row_, id2) <= 0 && map_.given != wall_map_.given) parse_row(line, wall_map_, row_, place);
     if ((map_.given & across_columns) != 0) check_plane(row_, map_.given, place);
     if (contains(map_.given, tangential_columns)) {
+      check_tangential(row_, place);
       at(row_, fx) += at(row_, ftx);
       at(row_, fy) += at(row_, fty);
     }

@@ -55,7 +55,7 @@ bool DumpReader::next_header(DumpHeader& header) {
 
 void DumpReader::check_frames() const {
   if (frames_ == 0)
-    throw bad_input(place(), "the compressed file is cut", "at least one complete frame", "none");
+    throw bad_input(place(), "the compressed file is truncated", "at least one complete frame", "none");
 }
 
 void DumpReader::read_header(DumpHeader& header) {

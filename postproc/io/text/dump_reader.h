@@ -45,7 +45,7 @@ class DumpReader {
  public:
   using Header = DumpHeader;
   using Block = RowBlock;
-  static constexpr std::string_view not_ascending = "time steps do not ascend";
+  static constexpr std::string_view not_ascending = "time steps do not increase";
   static constexpr bool has_pieces = true;
 
   explicit DumpReader(const std::string& file) : lines_(file) {}

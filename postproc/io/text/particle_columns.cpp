@@ -75,7 +75,7 @@ double ParticleColumns::along(const Axis& axis, double number, const Place& plac
   if (axis.wraps) return number - boxes * axis.length;
   if (boxes != 0 && !boundaries_known_)
     throw bad_input(place, "an unwrapped coordinate outside a box that may be periodic or not",
-                    "boundary flags (pp, ff) behind 'ITEM: BOX BOUNDS'", fmt::format("{}", number));
+                    "boundary flags (pp, ff) after 'ITEM: BOX BOUNDS'", fmt::format("{}", number));
   return number;
 }
 

@@ -99,7 +99,7 @@ void TextFrames::check_boundaries() {
   if (!box.boundaries_known) return;
   if (last_box_ && last_box_->periodic != box.periodic)
     wishes_->notes->add(frames_.file(0) +
-                        ": the boundaries are not those of the frames before (another run?)");
+                        ": the boundaries are not those of the earlier frames (another run?)");
   last_box_ = box;
 }
 
@@ -115,9 +115,9 @@ void TextFrames::check_system() {
   const bool back = last_size_ && rows == rows_before_last_ && last_size_->rows < rows;
   if ((lost || back) && std::max(rows, last_size_->rows) >= many_discs)
     wishes_->notes->add(
-        frames_.file(0) + (lost ? ": more than a third of the discs of the frame before are missing (discs "
+        frames_.file(0) + (lost ? ": more than a third of the discs of the previous frame are missing (discs "
                                   "that left, or rows left out?)"
-                                : ": discs are there again that the frame before lacks (rows left out?)"),
+                                : ": discs reappear that are missing in the previous frame (rows left out?)"),
         header.step);
   rows_before_last_ = last_size_ ? last_size_->rows : -1;
   last_size_ = {header.box, rows};
@@ -133,7 +133,7 @@ void TextFrames::find_units() {
     const Units units = units_of(header.units, place);
     if (!units_name_.empty() || (some_taken_ && !units.are_si()))
       throw bad_input(place, "the units change",
-                      units_name_.empty() ? "units of the frames before" : in_quotes(units_name_),
+                      units_name_.empty() ? "the units of the earlier frames" : in_quotes(units_name_),
                       in_quotes(header.units));
     units_name_ = header.units;
     units_ = units;

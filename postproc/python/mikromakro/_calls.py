@@ -107,19 +107,23 @@ def _as_files(tables, folder):
 def fit(tables, /, **options):
     """The exponential velocity profile v0 exp(-(r - R_i)/s); returns a Report: v0 (m/s), s (m), v0_err, s_err, s_low, s_high, ...
 
-    tables    a Result over rings, or the name of a table; further ones are choices beside the first."""
+    tables    a Result over rings, or the name of a table; further ones are choices beside the first. Of a table of windows: a Result
+              with v0 and s as functions of time."""
     with tempfile.TemporaryDirectory() as folder:
         keywords = _keywords("fit", options, "file", _as_files(tables, folder))
-        return Report(*_core.fit(keywords, _warn_at(3)))
+        *report, windows = _core.fit(keywords, _warn_at(3))
+        return Report(*report) if windows is None else Result(*windows)
 
 
 @of_verb("audit")
 def audit(input=None, /, *, progress=False, **options):
     """Balances of torque, stress, forces and volume over rings or a box; returns an Audit.
 
-    With bound=, a balance that is off by more raises Error."""
+    With bound=, a balance that is off by more raises Error. With every=, per_frame= or moving=: a Result with the balances of each
+    window."""
     keywords = _keywords("audit", options, "input", input)
-    return Audit(*_with_progress(progress, lambda function: _core.audit(keywords, function, _warn_at(4))))
+    *report, windows = _with_progress(progress, lambda function: _core.audit(keywords, function, _warn_at(4)))
+    return Audit(*report) if windows is None else Result(*windows)
 
 
 @of_verb("draw")

@@ -41,6 +41,25 @@ with tempfile.TemporaryDirectory() as folder:
         assert set(numpy.round(radii, 12)) == {0, 2, 4}
         assert numpy.array_equal(grid["CellData/sigma_rr"][::180], csv["sigma_rr"], equal_nan=True)
 
+    # Vectors and tensors: x, y, z and xx, xy, xz, yx ... of the mean polar components, along e_r and e_phi in the middle of each polygon.
+    def rotated(file, rows, phi):
+        cell = file["VTKHDF/CellData"]
+        r, p = numpy.array([numpy.cos(phi), numpy.sin(phi)]), numpy.array([-numpy.sin(phi), numpy.cos(phi)])
+        v, sigma, couple = cell["v"][:], cell["sigma"][:].reshape(-1, 3, 3), cell["M"][:].reshape(-1, 3, 3)
+        assert v.shape == (len(phi), 3) and cell["sigma"].shape == (len(phi), 9)
+        along = {"r": r, "phi": p}
+        for a, one in along.items():
+            assert numpy.allclose((v[:, :2].T * one).sum(axis=0), rows[f"v_{a}"], rtol=0, atol=1e-14, equal_nan=True)
+            assert numpy.allclose(numpy.einsum("nj,jn->n", couple[:, 2, :2], one), rows[f"M_z{a}"], rtol=0, atol=1e-14, equal_nan=True)
+            for b, other in along.items():
+                both = numpy.einsum("in,nij,jn->n", one, sigma[:, :2, :2], other)
+                assert numpy.allclose(both, rows[f"sigma_{a}{b}"], rtol=0, atol=1e-14, equal_nan=True), (a, b)
+        assert not v[:, 2].any() and not sigma[:, 2].any() and not sigma[:, :, 2].any() and not couple[:, :2].any()
+        assert "v_err" not in cell and "eps" in cell and cell["eps"].shape == (len(phi), 9)
+
+    with h5py.File(names[2]) as file:
+        rotated(file, csv.loc[csv.index.repeat(180)], numpy.radians(numpy.tile(numpy.arange(180) * 2 + 1, 2)))
+
     # The ending by which ParaView 5.11 knows the files.
     with h5py.File(names[3]) as file:
         assert numpy.array_equal(file["VTKHDF/CellData/sigma_rr"][::180], csv["sigma_rr"], equal_nan=True)
@@ -75,6 +94,27 @@ with tempfile.TemporaryDirectory() as folder:
         # chords instead of arcs: sin(x)/x with x = 360/7/26 degrees
         angle = 2 * numpy.pi / 7 / pieces
         assert abs(filled / exact - numpy.sin(angle) / angle) < 1e-12
+
+    with h5py.File(names[2]) as file:
+        phi = numpy.radians([360 / 7 * (sector + (piece + 0.5) / pieces) for _ in range(2) for sector in range(7) for piece in range(pieces)])
+        rotated(file, table.loc[table.index.repeat(pieces)], phi)
+
+    cells(["--rings", "1", "3", "2", "--components", "cartesian"])
+    table = pandas.read_csv(names[0], comment="#", float_precision="round_trip")
+    with h5py.File(names[2]) as file:
+        assert numpy.array_equal(file["VTKHDF/CellData/v"][::180, :2], table[["v_x", "v_y"]], equal_nan=True)
+        assert numpy.array_equal(file["VTKHDF/CellData/sigma"][::180, [0, 1, 3, 4]], table[[f"sigma_{c}" for c in ("xx", "xy", "yx", "yy")]], equal_nan=True)
+
+    # Windows: vectors and tensors of each frame, one after the other.
+    windows = [program, "average", *dumps, "--rings", "0", "4", "2", "--bulk-types", "1", "--quiet"]
+    subprocess.run([*windows, "--per-frame", "--out", f"{folder}/w.vtkhdf"], check=True)
+    for frame in (0, 1):
+        subprocess.run([*windows, "--frames", f"{frame}:{frame}", "--out", names[2]], check=True)
+        with h5py.File(f"{folder}/w.vtkhdf") as series, h5py.File(names[2]) as single:
+            for name in ("v", "sigma", "kappa"):
+                begin = series[f"VTKHDF/Steps/CellDataOffsets/{name}"][frame]
+                own = single[f"VTKHDF/CellData/{name}"][:]
+                assert begin == 360 * frame and numpy.array_equal(series[f"VTKHDF/CellData/{name}"][begin : begin + 360], own, equal_nan=True), name
 
     polygons, nu = cells(["--grid", "-1", "2", "3", "-2", "0", "4"])
     table = pandas.read_csv(names[0], comment="#", float_precision="round_trip")

@@ -67,7 +67,8 @@ TEST(Compare, PrintsDifferencesOfTheWeights) {
   const Ran ran = run_program("compare " + good + "--edges 0,1.5,4 --fields solid_fraction");
   ASSERT_EQ(ran.code, 0) << ran.err;
   const std::vector<std::string> lines = lines_of(ran.out);
-  ASSERT_EQ(lines.size(), 6U);
+  // Four columns below two lines; an empty line and the summary of five.
+  ASSERT_EQ(lines.size(), 12U);
   EXPECT_EQ(lines[0], "differences from the weight sliced");
   EXPECT_EQ(lines[1].substr(0, 6), "column");
   const std::vector<std::string> sliced = lines_of(
@@ -91,6 +92,13 @@ TEST(Compare, PrintsDifferencesOfTheWeights) {
       std::sqrt((nu_of(sliced[1]) * nu_of(sliced[1]) + nu_of(sliced[2]) * nu_of(sliced[2])) / 2);
   EXPECT_NEAR(std::stod(words[6]) / (mean / rms), 1, 6e-4);
   EXPECT_EQ(words[8] + words[9] + words[10], "0of2");
+  EXPECT_EQ(lines[7], "summary: 4 columns, resolutions 2; mean differences over the rms of sliced");
+  double most = 0;
+  for (std::size_t i = 2; i < 6; ++i) most = std::fmax(most, std::stod(words_of(lines[i])[6]));
+  // Two digits are printed.
+  EXPECT_NEAR(std::stod(words_of(lines[9])[2]) / most, 1, 0.05) << lines[9];
+  EXPECT_EQ(lines[10],
+            "  fine ones add up to coarse ones: one resolution, or no columns that are sums over V");
 }
 
 // Finer rings divide the coarser ones, whatever the weight: 1e-10 is what kernels promise.
@@ -101,7 +109,13 @@ TEST(Compare, FineAveragesAddUpToTheCoarseOnesWhereTheyAreSums) {
   ASSERT_EQ(ran.code, 0) << ran.err;
   const std::size_t begin = ran.out.find("differences of resolutions");
   ASSERT_NE(begin, std::string::npos);
-  const std::vector<std::string> lines = lines_of(ran.out.substr(begin));
+  const std::size_t end = ran.out.find("\nsummary: ");
+  ASSERT_NE(end, std::string::npos);
+  const std::vector<std::string> summary = lines_of(ran.out.substr(end + 1));
+  ASSERT_EQ(summary.size(), 5U);
+  // "fine ones add up to coarse ones: to 1e-11, ..."
+  EXPECT_LT(std::stod(words_of(summary[3])[8]), 1e-10) << summary[3];
+  const std::vector<std::string> lines = lines_of(ran.out.substr(begin, end - begin));
   // nu, nu_1, nu_2, nu_3, four of F and of sigma, two of M, of five weights
   ASSERT_EQ(lines.size(), 2 + 14U * 5);
   for (std::size_t i = 2; i < lines.size(); ++i) {

@@ -36,7 +36,7 @@ TEST(Draw, BadOptionsGiveOneLineAndNoPicture) {
   };
   fails(good + "--box 1 1 0 1", "--box: not a box; expected XMIN < XMAX, YMIN < YMAX, got 1 1 0 1");
   fails(good + "--box 0 1e-9 0 1",
-        "--box: the picture is too high; expected at most 30000 pixels, got 1354838709781");
+        "--box: the picture is too tall; expected at most 30000 pixels, got 1354838709781");
   fails(good + "--range 2 2", "--range: the range is empty; expected LOW < HIGH, got 2 2");
   fails(good + "--color mood",
         "--color: unknown quantity; expected one of radius velocity spin pressure contacts type, got 'mood'");

@@ -118,7 +118,7 @@ TEST(SeveralRuns, MayBeHdf5Files) {
   EXPECT_NE(other.out.find("# frames: 3, steps 100 to 200\n"), std::string::npos);
   const Ran one = run_program("average " + file + file + rings);
   EXPECT_EQ(one.code, 2);
-  EXPECT_NE(one.err.find("time steps do not ascend"), std::string::npos);
+  EXPECT_NE(one.err.find("time steps do not increase"), std::string::npos);
 }
 
 // 17 runs of two frames each: 34 blocks of one frame; where 16 are wanted 17 of two, since no more runs can

@@ -52,6 +52,17 @@ TEST(Timestep, OfAnElasticHertzianImpactHasItsDurationAtTheVelocity) {
   EXPECT_NEAR(json_number(ran.out, "steps_per_contact"), physics::steps_for_error<hertz>(impact, 1e-4), 1e-9);
 }
 
+// Twelve dashpots' rates of a pair's reduced mass: the limit of a packing whose discs all spin alike.
+TEST(Timestep, SaysWhereDashpotsMakeAPackingUnstable) {
+  const std::string friction = "--kn 352.1 --gamman 0.19 --mu 0.44 --gammat ";
+  EXPECT_NEAR(json_number(run_program(discs + friction + "5").out, "stable") * 12 * 5 / m12, 1, 1e-12);
+  EXPECT_NEAR(json_number(run_program(discs + friction + "0.01").out, "stable") * 3 * 0.19 / m12, 1, 1e-12);
+  EXPECT_NE(run_program(discs + "--kn 352.1").out.find("\"stable\":null"), std::string::npos);
+  const std::string plain = "timestep --radius 3.71e-3 --density 6.36 " + friction;
+  EXPECT_NE(run_program(plain + "5 --error 0.01").out.find("use dt = "), std::string::npos);
+  EXPECT_EQ(run_program(plain + "0.15").out.find("use dt = "), std::string::npos);
+}
+
 void expect_complaint(const std::string& arguments, const std::string& what) {
   const Ran ran = run_program("timestep --radius 3.71e-3 " + arguments);
   EXPECT_EQ(ran.code, 2) << arguments;
@@ -59,15 +70,14 @@ void expect_complaint(const std::string& arguments, const std::string& what) {
 }
 
 TEST(Timestep, SaysWhatMakesNoSense) {
-  expect_complaint("--density 6.36 --kn 0",
-                   "--kn: the value makes no sense; expected a stiffness above 0, got 0");
+  expect_complaint("--density 6.36 --kn 0", "--kn: invalid value; expected a stiffness above 0, got 0");
   expect_complaint("--density 6.36 --kn 352.1 --restitution 1.2",
-                   "--restitution: the value makes no sense; expected a number above 0, at most 1, got 1.2");
+                   "--restitution: invalid value; expected a number above 0, at most 1, got 1.2");
   expect_complaint("--density 6.36 --kn 352.1 --gamman 2",
-                   "--gamman: the discs do not part; expected a weaker dashpot, got 2");
+                   "--gamman: the discs do not separate; expected a weaker dashpot, got 2");
   expect_complaint(
       "--density 6.36 --kn 352.1 --gamman 0.19 --error 1e-9",
-      "--error: no time step of t_c/4000 or more is so accurate; expected a larger error, got 1e-09");
+      "--error: no time step of t_c/4000 or more is that accurate; expected a larger error, got 1e-09");
 }
 
 }  // namespace

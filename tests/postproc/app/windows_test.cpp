@@ -6,62 +6,15 @@
 #include <sstream>
 #include <vector>
 
+#include "moving_discs.h"
 #include "run_program.h"
 
 namespace mikromakro {
 namespace {
 
-// 23 frames, every 10 steps, of three discs that move and press differently in each.
-class Dumps {
- public:
-  explicit Dumps(bool with_times = false) {
-    std::string particles, contacts;
-    for (int i = 0; i < 23; ++i) {
-      std::string head = fmt::format("ITEM: TIMESTEP\n{}\n", 10 * i);
-      if (with_times) head = fmt::format("ITEM: TIME\n{}\n", 0.02 * i) + head;
-      const std::string box = "ITEM: BOX BOUNDS ff ff pp\n-5 5\n-5 5\n-1 1\n";
-      const double x = 1 + 0.0137 * i;
-      particles += head + "ITEM: NUMBER OF ATOMS\n3\n" + box +
-                   "ITEM: ATOMS id type x y radius vx vy omegaz\n" +
-                   fmt::format("1 1 {} 0.1 0.5 0.{} 1 2\n2 1 {} 0.1 0.5 1 0.7 3\n3 1 0 {} 0.4 1 1 1\n", x, i,
-                               x + 0.95, 2 + 0.01 * i);
-      contacts += head + "ITEM: NUMBER OF ENTRIES\n1\n" + box +
-                  "ITEM: ENTRIES id1 id2 nx ny overlap fx fy\n" +
-                  fmt::format("1 2 1 0 0.05 {} {}\n", -3 - 0.1 * i, 0.3 * i);
-    }
-    folder_.write("particles.dump", particles);
-    folder_.write("contacts.dump", contacts);
-  }
-
-  std::string files() const {
-    return "--particles '" + folder_.path("particles.dump") + "' --contacts '" +
-           folder_.path("contacts.dump") + "' ";
-  }
-  std::string arguments() const { return "average " + files() + "--rings 0 4 5 "; }
-  const Folder& folder() const { return folder_; }
-
- private:
-  Folder folder_;
-};
-
-// The rows of a table below its names, from column `first` on.
-std::vector<std::string> rows_of(const std::string& text, int first = 0) {
-  std::istringstream lines(text);
-  std::vector<std::string> rows;
-  bool named = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('#')) continue;
-    std::size_t at = 0;
-    for (int i = 0; i < first; ++i) at = line.find(',', at) + 1;
-    if (named) rows.push_back(line.substr(at));
-    named = true;
-  }
-  return rows;
-}
-
 // Each window is the average of its frames alone, to the last bit and with its errors.
 TEST(AverageOverWindows, AreTheAveragesOfTheirFrames) {
-  const Dumps dumps;
+  const MovingDiscs dumps;
   for (const auto& [option, frames, step] :
        {std::tuple("--every 10", 10, 10), std::tuple("--per-frame", 1, 1),
         std::tuple("--moving 11", 11, 1)}) {
@@ -86,7 +39,7 @@ TEST(AverageOverWindows, AreTheAveragesOfTheirFrames) {
 }
 
 TEST(AverageOverWindows, SaysWhatIsLeftOut) {
-  const Dumps dumps;
+  const MovingDiscs dumps;
   const Ran ran = run_program(dumps.arguments() + "--every 10");
   const std::string line =
       "warning: frames at the end of run 1 that do not fill a window of 10 are left out: 3, steps 200 to "
@@ -98,7 +51,7 @@ TEST(AverageOverWindows, SaysWhatIsLeftOut) {
 }
 
 TEST(AverageOverWindows, GiveTheSameBytesOnAllThreadsAndRanks) {
-  const Dumps dumps(true);
+  const MovingDiscs dumps(true);
   for (const std::string option : {"--every 4 ", "--moving 4 "}) {
     const Ran one = run_program(dumps.arguments() + option + "--threads 1");
     ASSERT_EQ(one.code, 0) << one.err;
@@ -109,9 +62,9 @@ TEST(AverageOverWindows, GiveTheSameBytesOnAllThreadsAndRanks) {
 }
 
 TEST(AverageOverWindows, HaveTheTimesOfTheFilesOrOfTheTimeStep) {
-  const Dumps without, with(true);
+  const MovingDiscs without, with(true);
   // Steps 0, 10, 20 and 30.
-  const auto first_row = [](const Dumps& dumps, const std::string& options) {
+  const auto first_row = [](const MovingDiscs& dumps, const std::string& options) {
     const Ran ran = run_program(dumps.arguments() + "--every 4 " + options);
     EXPECT_EQ(ran.code, 0) << ran.err;
     return rows_of(ran.out).at(0);
@@ -122,12 +75,12 @@ TEST(AverageOverWindows, HaveTheTimesOfTheFilesOrOfTheTimeStep) {
   EXPECT_TRUE(first_row(with, "--timestep 0.002").starts_with("15,0.029999999999999999,0,30,"));
   const Ran other = run_program(with.arguments() + "--every 4 --timestep 0.003");
   EXPECT_EQ(other.code, 2);
-  EXPECT_NE(other.err.find("--timestep: the file has times of its own, which are others"), std::string::npos)
+  EXPECT_NE(other.err.find("--timestep: the file has times of its own, which differ"), std::string::npos)
       << other.err;
 }
 
 TEST(AverageOverWindows, OfSeveralRunsNameTheRun) {
-  const Dumps one, two;
+  const MovingDiscs one, two;
   const Ran ran = run_program("average --rings 0 4 1 --every 20 --fields solid_fraction --error-blocks 0 " +
                               one.files() + two.files());
   ASSERT_EQ(ran.code, 2) << ran.out;  // a copy of a run is none
@@ -144,7 +97,7 @@ TEST(AverageOverWindows, OfSeveralRunsNameTheRun) {
 }
 
 TEST(AverageOverWindows, AreRefusedWithOneLine) {
-  const Dumps dumps;
+  const MovingDiscs dumps;
   const auto refused = [&](const std::string& options) {
     const Ran ran = run_program(dumps.arguments() + options);
     EXPECT_EQ(ran.code, 2) << options;
@@ -173,7 +126,7 @@ TEST(AverageOverWindows, AreRefusedWithOneLine) {
 
 // Nothing is left behind by a run that ends early.
 TEST(AverageOverWindows, LeaveNoPartOfAFile) {
-  const Dumps dumps;
+  const MovingDiscs dumps;
   const Folder out;
   const Ran ran = run_program(dumps.arguments() + "--every 24 --out '" + out.path("a.csv") + "' --out '" +
                               out.path("a.h5") + "' --out '" + out.path("a.vtkhdf") + "'");

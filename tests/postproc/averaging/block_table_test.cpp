@@ -40,16 +40,17 @@ std::string refusal(const std::string& blocks) {
 
 TEST(BlockTable, OfOtherFramesOrRingsIsRefused) {
   EXPECT_EQ(refusal(table_text),
-            "blocks.csv: the file has no blocks of frames; expected one of average --blocks, got no columns "
-            "block, run, frames");
+            "blocks.csv: the file has no blocks of frames; expected a file written by average --blocks, got "
+            "no columns block, run, frames");
   EXPECT_NE(refusal(names + all_frames + first).find("three times 2 rows or more, got 4"), std::string::npos);
   EXPECT_NE(refusal(names + all_frames + first + "2,4,3,1,2,1.5,12\n").find("got 5"), std::string::npos);
   const auto with = [](const std::string& block0) { return names + block0 + first + second; };
   EXPECT_NE(refusal(with("0,0,7,1,2,1.5,10.5\n0,0,7,2,3,2.5,nan\n")).find("blocks.csv:2: the blocks are not"),
             std::string::npos);
-  EXPECT_NE(refusal(with("0,0,7,1,2,1.5,10\n0,0,7,2,3,2.5,3\n")).find("v_phi = nan of all frames as there"),
-            std::string::npos);
-  EXPECT_NE(refusal(with("0,0,7,1,2,1.5,10\n0,0,7,2.2,3,2.5,nan\n")).find("r_inner = 2 as there"),
+  EXPECT_NE(
+      refusal(with("0,0,7,1,2,1.5,10\n0,0,7,2,3,2.5,3\n")).find("v_phi = nan of all frames as in the table"),
+      std::string::npos);
+  EXPECT_NE(refusal(with("0,0,7,1,2,1.5,10\n0,0,7,2.2,3,2.5,nan\n")).find("r_inner = 2 as in the table"),
             std::string::npos);
 }
 
@@ -62,18 +63,17 @@ TEST(BlockTable, BlocksOfAnotherMeanOrOfMixedRunsAreRefused) {
                   .starts_with("blocks.csv: v_phi without each block is not that of "));
   EXPECT_EQ(refusal(names + all_frames + "1,4,3,1,2,1.5,9\n1,4,3,2,3,2.5,9\n" +
                     "2,1,3,1,2,1.5,10\n2,1,3,2,3,2.5,9\n"),
-            "blocks.csv:6: runs are not one after the other; expected run 4 or more, got 1");
+            "blocks.csv:6: runs are not in order; expected run 4 or more, got 1");
 }
 
 TEST(BlockTable, OutOfOrderIsRefused) {
   EXPECT_EQ(refusal(names + all_frames + second + first),
-            "blocks.csv:4: blocks are not one after the other; expected block 1, got 2");
+            "blocks.csv:4: blocks are not in order; expected block 1, got 2");
   EXPECT_EQ(refusal(names + all_frames + first + "2,4,4,1,2,1.5,12\n2,4,4,2,3,2.5,22\n"),
-            "blocks.csv:6: blocks are not of the same length; expected 3 frames, got 4");
-  EXPECT_EQ(
-      refusal(names + all_frames + first + "2,4,3,1,2,1.5,12\n2,5,3,2,3,2.5,22\n"),
-      "blocks.csv:7: a block of other volumes than the table; expected 2 rows of the same block, run and "
-      "frames, got 5 after 4");
+            "blocks.csv:6: blocks differ in length; expected 3 frames, got 4");
+  EXPECT_EQ(refusal(names + all_frames + first + "2,4,3,1,2,1.5,12\n2,5,3,2,3,2.5,22\n"),
+            "blocks.csv:7: a block whose volumes differ from those of the table; expected 2 rows of the same "
+            "block, run and frames, got 5 after 4");
 }
 
 }  // namespace

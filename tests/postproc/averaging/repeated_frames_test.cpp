@@ -25,6 +25,22 @@ TEST(RepeatedFrames, AreKnownByTheirSumsWithinTheDigitsOfADump) {
   EXPECT_FALSE(frames.add(frame(2, 200, 6, 4)));       // the same total elsewhere
 }
 
+// Steps that are counted from elsewhere; sums of equal discs by their centres agree by chance.
+TEST(RepeatedFrames, AreKnownByThePlacesOfTheirDiscs) {
+  RepeatedFrames frames;
+  const auto add = [&](std::int64_t run, std::int64_t step, double places) {
+    FrameSums one = frame(run, step, 3, 5 + static_cast<double>(step % 300));
+    one.places = places;
+    return frames.add(one);
+  };
+  EXPECT_FALSE(add(0, 100, 0.1));
+  EXPECT_FALSE(add(0, 200, 0.2));
+  EXPECT_FALSE(add(1, 400, 0.1));  // both runs may begin from the same state
+  EXPECT_TRUE(add(1, 500, 0.2));
+  EXPECT_FALSE(add(2, 700, 0.3));
+  EXPECT_FALSE(add(2, 800, 0.4));
+}
+
 // Velocities alone are three sums: two that move and agree to all digits, which numbers of discs do by
 // chance.
 TEST(RepeatedFrames, AreKnownByTwoSumsToAllDigits) {

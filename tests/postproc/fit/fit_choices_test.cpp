@@ -66,7 +66,7 @@ TEST(FitChoices, ThatCannotBeFittedHaveNoNumbers) {
   const auto choices = fit_choices({negative}, r_i, {}, s, {});
   ASSERT_EQ(choices[2].name, "log v, to 0.14 m");
   EXPECT_TRUE(std::isnan(choices[2].v0));
-  EXPECT_NE(choices[2].missing.find("log v is not defined"), std::string::npos) << choices[2].missing;
+  EXPECT_NE(choices[2].missing.find("log v is undefined"), std::string::npos) << choices[2].missing;
   EXPECT_EQ(choices[1].missing, "");
   EXPECT_FALSE(std::isnan(choices[1].v0));
 }

@@ -98,7 +98,7 @@ TEST(FitErrors, OfRunsThatDifferAreOfTheirSpreadOrNone) {
       }
     }
     const FitErrors errors = errors_from_blocks(fit(profile()), in_step(x, runs), fit);
-    EXPECT_NE(errors.remark.find("runs that differ by more than their frames tell"), std::string::npos)
+    EXPECT_NE(errors.remark.find("runs that differ by more than their frames explain"), std::string::npos)
         << errors.remark;
     EXPECT_EQ(errors.method, count == 3 ? "none" : "jackknife of runs");
     if (count == 3) continue;
@@ -128,11 +128,11 @@ TEST(FitErrors, AreNotGivenWhereTheyCannotBeKnown) {
   const FitErrors few = errors_from_blocks(fit(profile()), in_step({0, 1, 2, 1, 0}, one_run), fit);
   EXPECT_TRUE(few.error.isNaN().all());
   EXPECT_EQ(few.method, "none");
-  EXPECT_EQ(few.remark, "5 blocks of 5 frames, too few to tell 2 tau");
+  EXPECT_EQ(few.remark, "5 blocks of 5 frames, too few to estimate 2 tau");
   ColumnWithoutBlocks empty = in_step({0, 1, 2, 1, 0}, one_run);
   empty.values(3, 2) = std::nan("");
   EXPECT_EQ(errors_from_blocks(fit(profile()), empty, fit).remark,
-            "there is no such profile without one of the blocks");
+            "the fit fails when one of the blocks is left out");
 }
 
 // Rings that all err by the same share are the whole profile times 1 + x, whose v0 errs by that share: the

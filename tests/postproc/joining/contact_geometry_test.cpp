@@ -79,8 +79,9 @@ TEST(JoinContacts, TakesForceAndSpringFromWhatIsGiven) {
 
 // In the columns of a spring: a normal force, along n.
 TEST(JoinContacts, AForceAlongTheNormalIsNoSpring) {
-  EXPECT_NE(refusal({{id1, 900}, {id2, 4}, {fn, 10}, {ft, 1}, {shearx, -6}, {sheary, -8}}).find("no spring"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal({{id1, 900}, {id2, 4}, {fn, 10}, {ft, 1}, {shearx, -6}, {sheary, -8}}).find("not a spring"),
+      std::string::npos);
 }
 
 // 31 discs in a row along x: t = (0, 1), f_t = f_y. Springs of k_t = 80 N/m and all signs; in every fifth

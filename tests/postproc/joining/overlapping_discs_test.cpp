@@ -116,7 +116,7 @@ TEST(NoteOverlaps, TellsOfContactsThatAreNotThere) {
                                     contact_of(1, 3, {0, 1}), contact_of(3, 2, {-1, 0})};
   EXPECT_EQ(notes_of(discs, all), "");
   const std::string without_two = notes_of(discs, {all[0], all[1]});
-  EXPECT_NE(without_two.find("no row of a contact"), std::string::npos);
+  EXPECT_NE(without_two.find("no contact row"), std::string::npos);
   EXPECT_NE(without_two.find("(2 times in step 5)"), std::string::npos) << without_two;
   // Discs of a wall may overlap each other: only disc 1 is averaged, and its contacts are there.
   EXPECT_EQ(notes_of(discs, {all[0], all[1]}, {1}), "");
@@ -133,12 +133,12 @@ TEST(NoteOverlaps, OfANarrowBoxAreOneForEachImage) {
     return notes_of(discs, contacts, {}, true, box);
   };
   EXPECT_EQ(notes(two, {contact_of(0, 1, {1, 0}), contact_of(1, 0, {1, 0})}), "");
-  EXPECT_NE(notes(two, {contact_of(0, 1, {1, 0})}).find("no row of a contact"), std::string::npos);
-  EXPECT_NE(notes(two, {contact_of(1, 0, {1, 0})}).find("no row of a contact"), std::string::npos);
+  EXPECT_NE(notes(two, {contact_of(0, 1, {1, 0})}).find("no contact row"), std::string::npos);
+  EXPECT_NE(notes(two, {contact_of(1, 0, {1, 0})}).find("no contact row"), std::string::npos);
 
   const std::vector<Particle> one = {disc(1, 0.4, 1, 1)};
   EXPECT_EQ(notes(one, {contact_of(0, 0, {-1, 0})}), "");
-  EXPECT_NE(notes(one, {}).find("no row of a contact"), std::string::npos);
+  EXPECT_NE(notes(one, {}).find("no contact row"), std::string::npos);
 }
 
 // Six digits of coordinates up to 10 do not tell an overlap of 1e-6.
@@ -151,7 +151,7 @@ TEST(NoteOverlaps, TellsOfDiscsOnOneAnother) {
   const std::vector<Particle> discs = {disc(1, 1, 1, 0.5), disc(2, 1.2, 1, 0.5), disc(3, 5, 5, 0.5),
                                        disc(4, 5.8, 5, 0.5)};
   const std::string text = notes_of(discs, {}, {}, false);
-  EXPECT_NE(text.find("discs lie on one another"), std::string::npos) << text;
+  EXPECT_NE(text.find("discs overlap by more than half a radius"), std::string::npos) << text;
   EXPECT_NE(text.find("(step 5)"), std::string::npos) << text;  // once: the others overlap by 0.2
 }
 

@@ -39,7 +39,7 @@ TEST(PlausibleForces, DoNotPullAndAreNotAcross) {
   for (Contact& contact : exchanged) contact.force = contact.force.reverse().eval();
   for (const auto& wrong : {pulling, exchanged}) {
     ASSERT_EQ(notes_of(wrong).size(), 1U);
-    EXPECT_NE(notes_of(wrong)[0].find("contacts pull on the whole"), std::string::npos);
+    EXPECT_NE(notes_of(wrong)[0].find("contacts are attractive on average"), std::string::npos);
   }
   exchanged.resize(10);
   pulling.resize(10);
@@ -60,7 +60,7 @@ TEST(PlausibleForces, OfWallsAreJudgedAlone) {
   EXPECT_TRUE(notes_of_walls().empty());
   for (std::size_t i = 0; i < 8; ++i) pairs_and_walls[i].force *= -1;
   ASSERT_EQ(notes_of_walls().size(), 1U);
-  EXPECT_NE(notes_of_walls()[0].find("walls pull on the whole"), std::string::npos);
+  EXPECT_NE(notes_of_walls()[0].find("walls are attractive on average"), std::string::npos);
   EXPECT_TRUE(notes_of(pairs_and_walls).empty());
   // Nor do walls that push hide pairs that pull.
   for (Contact& contact : pairs_and_walls) contact.force *= contact.with_wall() ? -50 : -1;

@@ -97,8 +97,13 @@ class FixBiaxial2d : public FixWithWalls, public FixOnRows, public KnowsHeight {
   void follow_time_step(LAMMPS_NS::bigint step);
   void move(Wall& wall, double time) const;
   void check_rectangle() const;
-  [[nodiscard]] std::array<double, 4> stiffness_of_contacts() const;  // N/m
+  /// Sums of the stiffness of the contacts of each wall, and of gamma_n of all discs at it [N/m, kg/s].
+  struct WallContacts {
+    std::array<double, 4> stiffness, damping;
+  };
+  [[nodiscard]] WallContacts wall_contacts() const;
   void check_time_step() const;
+  void check_dashpots(int side, double stable) const;
   [[nodiscard]] std::vector<physics::SmoothWall> smooth_walls() const;
   void sum_forces();
 

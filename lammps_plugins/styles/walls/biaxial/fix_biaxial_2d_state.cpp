@@ -75,32 +75,40 @@ void FixBiaxial2d::check_rectangle() const {
       {box_[0].motion.position, box_[1].motion.position, box_[2].motion.position, box_[3].motion.position});
 }
 
-std::array<double, 4> FixBiaxial2d::stiffness_of_contacts() const {
+FixBiaxial2d::WallContacts FixBiaxial2d::wall_contacts() const {
   const DiscLaw& law = *active_disc_law(*lmp);
   const auto normal = law.effects().normal;
   const auto walls = smooth_walls();
   const auto kinds = walls_.kinds();
-  std::array<double, 4> sums{};
+  WallContacts sums{};
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     const auto disc = walls_.disc(i);
     for (int side = 0; side < 4; ++side) {
       const double overlap = disc.radius - physics::nearest_point(walls[side], disc.position).distance;
+      const auto& p = law.parameters(atom->type[i], kinds[side].type);
+      // A wall that its dashpots shake has lost some of its contacts.
+      constexpr double gap = 0.01;
+      if (law.effects().normal_dashpot && overlap > -gap * disc.radius)
+        sums.damping[side] += p.normal_damping;
       if (overlap <= 0) continue;
-      const double k_n = law.parameters(atom->type[i], kinds[side].type).normal_stiffness;
-      sums[side] +=
-          physics::with_law(normal, [&](auto law) { return law.stiffness(k_n, atom->radius[i], overlap); });
+      sums.stiffness[side] += physics::with_law(
+          normal, [&](auto law) { return law.stiffness(p.normal_stiffness, atom->radius[i], overlap); });
     }
   }
-  MPI_Allreduce(MPI_IN_PLACE, sums.data(), 4, MPI_DOUBLE, MPI_SUM, world);
+  for (auto* values : {&sums.stiffness, &sums.damping})
+    MPI_Allreduce(MPI_IN_PLACE, values->data(), 4, MPI_DOUBLE, MPI_SUM, world);
   return sums;
 }
 
 void FixBiaxial2d::check_time_step() const {
-  const auto stiffness = stiffness_of_contacts();
+  const auto [stiffness, damping] = wall_contacts();
+  const bool predicted = active_disc_law(*lmp)->velocities_predicted();
   for (int side = 0; side < 4; ++side) {
     const WallControl& control = box_[side].control;
-    if (control.kind != Kind::stress || stiffness[side] == 0) continue;
+    if (control.kind != Kind::stress) continue;
+    check_dashpots(side, physics::stable_dashpot_step(damping[side] / control.mass, predicted));
+    if (stiffness[side] == 0) continue;
     const double half_period = physics::servo_half_period(control.mass, stiffness[side]);
     const double steps = half_period / update->dt;
     const std::string what = biaxial_sides[side] + ": half a period of the wall on its contacts (" +
@@ -110,6 +118,16 @@ void FixBiaxial2d::check_time_step() const {
     if (steps < physics::steps_per_contact && comm->me == 0)
       error->warning(FLERR, (style + (": " + what)).c_str());
   }
+}
+
+// Of all discs at the wall, touching or nearly.
+void FixBiaxial2d::check_dashpots(int side, double stable) const {
+  constexpr double near = 0.75;
+  const std::string what = std::string(biaxial_sides[side]) + ": time step " + text_of(update->dt) +
+                           " s; expected at most " + text_of(near * stable) +
+                           " s for the dashpots of its contacts, which are unstable above " +
+                           text_of(stable) + " s, or a larger mass";
+  if (update->dt > near * stable && comm->me == 0) error->warning(FLERR, (style + (": " + what)).c_str());
 }
 
 // The command `timestep` does not notify fixes.
@@ -147,8 +165,8 @@ void FixBiaxial2d::restart(char* buf) {
     box_[side] = state.box[side];
     if (wanted == box_[side].control) continue;
     print_line(*lmp, "WARNING: fix " + std::string(id) + " (" + style + "): " + biaxial_sides[side] +
-                         ": not the control of the restart file: it begins anew where the wall stands (after "
-                         "fix_modify, give the fix the last controls)");
+                         ": not the control in the restart file: the new control starts at the present "
+                         "position of the wall (after fix_modify, give the fix the latest controls)");
     begin(side, wanted);
   }
 }

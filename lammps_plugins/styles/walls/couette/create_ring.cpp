@@ -86,8 +86,8 @@ void warn_of_overlaps(LAMMPS_NS::LAMMPS& engine, const RingRequest& ring) {
   }
   if (overlapping > 0)
     warn(engine, style + ": " + std::to_string(overlapping) +
-                     " discs that were there overlap discs of the ring; expected the ring first, then "
-                     "create_discs, which keeps clear of it");
+                     " existing discs overlap discs of the ring; expected the ring first, then create_discs, "
+                     "which keeps clear of it");
 }
 
 }  // namespace

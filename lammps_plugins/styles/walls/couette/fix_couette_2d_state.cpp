@@ -189,7 +189,7 @@ void FixCouette2d::restart(char* buf) {
     const double radius = motion.course.radius(time);
     if (std::abs(radius - state.radius[side]) > radius_tolerance * radius)
       stop(*lmp, style,
-           side_names[side] + " ring: expected the radius at which it stood in the restart file, " +
+           side_names[side] + " ring: expected the radius it had in the restart file, " +
                text_of(state.radius[side]) + ", got " + text_of(radius) +
                " (of the fix's radius and 'compact' at that time)");
   }

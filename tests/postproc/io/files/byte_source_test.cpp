@@ -120,7 +120,7 @@ TEST(Gzip, WhatStandsBehindTheLastMemberIsAnError) {
                                               "b\n"),
                                   zeros + gzipped("b\n"), many_zeros + "b\n", zeros + "\n"})
     EXPECT_NE(error_of(folder.write("mixed.gz", gzipped("a\n") + rest))
-                  .find("mixed.gz: the file goes on behind its gzip data"),
+                  .find("mixed.gz: the file continues after its gzip data"),
               std::string::npos)
         << rest.size();
 }

@@ -150,16 +150,16 @@ TEST(SnapshotLog, AnotherSystemIsAnError) {
     return error_of([&] { SnapshotLog(file, "test 1", other).resume(present); });
   };
   EXPECT_EQ(error_with(parameters(400), frame_at(1)),
-            file + ": is of another system, kn differs; expected 352.1 1 1 2, got 400 1 1 2");
+            file + ": belongs to another system, kn differs; expected 352.1 1 1 2, got 400 1 1 2");
   RawFrame larger = frame_at(1);
   larger.particles[3].radius = 2.5;
   EXPECT_EQ(error_with(parameters(), larger), file +
-                                                  ": is of another system, disc 4 differs; expected type 2 "
-                                                  "and radius 2 m, got type 2 and radius 2.5 m");
+                                                  ": belongs to another system, disc 4 differs; expected "
+                                                  "type 2 and radius 2 m, got type 2 and radius 2.5 m");
   RawFrame others = frame_at(1);
   for (Particle& disc : others.particles) disc.id += 10000;
   EXPECT_EQ(error_with(parameters(), others),
-            file + ": is of another system; expected discs that the file has, got none of them");
+            file + ": belongs to another system; expected discs that the file has, got none of them");
   RawFrame other_box = frame_at(0);
   other_box.step = -1;  // all frames would be dropped
   other_box.box.periodic = {true, true};
