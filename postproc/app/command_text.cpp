@@ -17,7 +17,7 @@ bool is_plain(unsigned char letter) {
 // The words of one option. Between the lists of an option that was given again, the parser puts a separator.
 std::string words_of(const CLI::Option& option) {
   const bool positional = option.get_positional() && !option.nonpositional();
-  const std::string name = positional ? "" : " " + option.get_name();
+  std::string name = positional ? "" : " " + option.get_name();
   if (option.get_items_expected_max() == 0) return name;
   const std::vector<std::string>& values = option.results();
   if (option.get_delimiter() != '\0')

@@ -147,7 +147,8 @@ std::int64_t window_length(const ReportOptions& options, const Task& task, std::
   constexpr std::int64_t windows = 10, fewest = 8;
   const std::int64_t every =
       options.every > 0 ? options.every : std::max(fewest, (frames + windows - 1) / windows);
-  const double numbers = 2.0 * static_cast<double>((frames + every - 1) / every + 1) *
+  const std::int64_t tables = (frames + every - 1) / every + 1;
+  const double numbers = 2.0 * static_cast<double>(tables) *
                          static_cast<double>(task.averager->volume_count()) *
                          static_cast<double>(task.averager->columns().size());
   if (numbers > most_numbers)
