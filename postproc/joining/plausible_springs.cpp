@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Core>
-#include <numeric>
+#include <utility>
 
 namespace mikromakro {
 namespace {
@@ -42,17 +42,19 @@ double large_ratio(const std::vector<Contact>& contacts) {
 Eigen::ArrayXd ranks_of(const std::vector<double>& numbers) {
   constexpr double alike = 1e-5;
   double largest = 0;
-  for (const double one : numbers) largest = std::max(largest, std::abs(one));
-  std::vector<Eigen::Index> order(numbers.size());
-  std::iota(order.begin(), order.end(), Eigen::Index{0});
-  const auto number = [&](Eigen::Index k) { return numbers[static_cast<std::size_t>(k)]; };
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return number(a) < number(b); });
+  std::vector<std::pair<double, Eigen::Index>> sorted;
+  sorted.reserve(numbers.size());
+  for (const double one : numbers) {
+    largest = std::max(largest, std::abs(one));
+    sorted.emplace_back(one, std::ssize(sorted));
+  }
+  std::sort(sorted.begin(), sorted.end());
   Eigen::ArrayXd ranks(std::ssize(numbers));
-  for (auto first = order.begin(); first != order.end();) {
-    const auto next = std::find_if(first, order.end(),
-                                   [&](auto k) { return number(k) > number(*first) + alike * largest; });
-    const auto rank = static_cast<double>((first - order.begin()) + (next - order.begin()) - 1) / 2;
-    for (; first != next; ++first) ranks[*first] = rank;
+  for (auto first = sorted.begin(); first != sorted.end();) {
+    const auto next = std::find_if(
+        first, sorted.end(), [&](const auto& one) { return one.first > first->first + alike * largest; });
+    const auto rank = static_cast<double>((first - sorted.begin()) + (next - sorted.begin()) - 1) / 2;
+    for (; first != next; ++first) ranks[first->second] = rank;
   }
   return ranks;
 }
@@ -135,10 +137,12 @@ void note_size_of_springs(const std::vector<Contact>& contacts, const ContactRul
 }
 
 void note_springs_without_force(const std::vector<Contact>& contacts, const ContactRules& rules) {
-  constexpr std::size_t enough = 100;
-  if (!rules.closely) return;
+  constexpr std::size_t enough = 100, sample = 2000;
+  if (!rules.closely || contacts.empty()) return;
   std::vector<double> springs, forces;
-  for (const Contact& contact : contacts) {
+  const std::size_t stride = 1 + (contacts.size() - 1) / sample;
+  for (std::size_t i = 0; i < contacts.size(); i += stride) {
+    const Contact& contact = contacts[i];
     const double force = tangential_force(contact);
     if (!(std::abs(contact.spring) > 0 && std::abs(force) > rounding * std::abs(normal_force(contact))))
       continue;

@@ -21,8 +21,8 @@ void check_springs_pull_back(const ContactRows& rows, const std::vector<Contact>
 void note_size_of_springs(const std::vector<Contact>& contacts, const ContactRules& rules);
 
 /// Notes springs that are not correlated with the tangential forces of the same contacts, as f_t = -k_t xi
-/// [- gamma_t v_t] makes them: a rank correlation above -4/sqrt(n), for n >= 100 of them in a frame checked
-/// closely. By chance that happens in one of 3e4 frames of another quantity.
+/// [- gamma_t v_t] makes them: a rank correlation above -4/sqrt(n), for n >= 100 of them (at most
+/// 2000) in a frame checked closely. By chance that happens in one of 3e4 frames of another quantity.
 void note_springs_without_force(const std::vector<Contact>& contacts, const ContactRules& rules);
 
 }  // namespace mikromakro

@@ -162,17 +162,21 @@ TEST(DashpotRate, OfALatticeIsThreeAndTwelveTimesThatOfAPair) {
 
 // A pair, and a disc on something at rest.
 TEST(DashpotRate, OfAPairIsThatOfItsReducedMass) {
-  const DampedDisc disc{1 / mass, 2 / (mass * radius * radius)};
+  constexpr double arm = 0.3;
+  const DampedDisc disc{1 / mass, 2 / (mass * arm * arm)};
   const auto rate = [&](int j, double gamma_n, double gamma_t) {
-    return largest_dashpot_rate({{0, j, true, 0.6, 0.8, radius, radius, gamma_n, gamma_t}}, {disc, disc});
+    return largest_dashpot_rate({{0, j, true, 0.6, 0.8, arm, arm, gamma_n, gamma_t}}, {disc, disc});
   };
   EXPECT_NEAR(rate(1, 2, 0), normal_dashpot_rate(2, m12), 1e-12);
   EXPECT_NEAR(rate(1, 0, 2), tangential_dashpot_rate(2, m12), 1e-12);
   EXPECT_NEAR(rate(-1, 2, 0), normal_dashpot_rate(2, mass), 1e-12);
   EXPECT_NEAR(rate(-1, 0, 2), tangential_dashpot_rate(2, mass), 1e-12);
   EXPECT_EQ(rate(1, 0, 0), 0);
-  const std::vector<DashpotContact> pair = {{0, 1, true, 0.6, 0.8, radius, radius, 2, 0}};
-  EXPECT_NEAR(bound_of_dashpot_rate(pair, {disc, disc}), normal_dashpot_rate(2, m12), 1e-12);
+  const auto bound = [&](double gamma_n, double gamma_t) {
+    return bound_of_dashpot_rate({{0, 1, true, 0.6, 0.8, arm, arm, gamma_n, gamma_t}}, {disc, disc});
+  };
+  EXPECT_NEAR(bound(2, 0), normal_dashpot_rate(2, m12), 1e-12);
+  EXPECT_NEAR(bound(0, 2), tangential_dashpot_rate(2, m12), 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(Velocities, DashpotLimit, testing::Values(false, true),

@@ -51,15 +51,16 @@ inline std::vector<DampedMotion> dashpot_forces(const std::vector<DashpotContact
   return forces;
 }
 
-/// No eigenvalue of M^-1 D is larger [1/s]: by (a - b)^2 <= 2 (a^2 + b^2) for the approach and the same of
-/// four terms, slips and spins, for the tangent, it is the largest sum over the contacts of a disc of 2
-/// gamma_n/m + 4 gamma_t (1/m + arm^2/I).
+/// No eigenvalue of M^-1 D is larger [1/s]: with (a + b)^2 <= 2 (a^2 + b^2) for what the two discs add to the
+/// approach or the slip of a contact, and (v + arm w)^2 <= (1/m + arm^2/I) (m v^2 + I w^2) for each, u.D.u is
+/// at most u.M.u times the largest sum, over the contacts of a disc, of 2 gamma_n/m + 2 gamma_t (1/m +
+/// arm^2/I). Equal for a pair.
 inline double bound_of_dashpot_rate(const std::vector<DashpotContact>& contacts,
                                     const std::vector<DampedDisc>& discs) {
   std::vector<double> sums(discs.size());
   const auto take = [&](int i, double arm, const DashpotContact& c) {
-    sums[i] += 2 * c.gamma_n * discs[i].inverse_mass +
-               4 * c.gamma_t * (discs[i].inverse_mass + arm * arm * discs[i].inverse_inertia);
+    sums[i] += 2 * (c.gamma_n * discs[i].inverse_mass +
+                    c.gamma_t * (discs[i].inverse_mass + arm * arm * discs[i].inverse_inertia));
   };
   for (const DashpotContact& c : contacts) {
     take(c.i, c.arm_i, c);

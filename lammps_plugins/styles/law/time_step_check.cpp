@@ -195,8 +195,11 @@ StableSteps stable_steps_of_contacts(LAMMPS& engine, const NeighList& list, cons
   const double safe = safe_part * physics::stable_dashpot_step(1, law.predicted) / engine.update->dt;
   physics::Effects normal = law.effects;
   normal.tangential = physics::Tangential::none;
-  double rates[] = {largest_dashpot_rate(engine, list, normal, law.materials, safe),
-                    largest_dashpot_rate(engine, list, law.effects, law.materials, safe)};
+  const auto rate = [&](const physics::Effects& effects) {
+    return largest_dashpot_rate(engine, list, effects, law.materials, safe);
+  };
+  const double of_normal = rate(normal);
+  double rates[] = {of_normal, physics::has_dashpot(law.effects.tangential) ? rate(law.effects) : of_normal};
   MPI_Allreduce(MPI_IN_PLACE, rates, 2, MPI_DOUBLE, MPI_MAX, engine.world);
   return {physics::stable_dashpot_step(rates[0], law.predicted),
           physics::stable_dashpot_step(rates[1], law.predicted)};
