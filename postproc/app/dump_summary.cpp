@@ -97,7 +97,8 @@ void add_part(const DumpSummary& part, DumpSummary& whole) {
         before == whole.counts_by_type.end() ? DumpSummary::Count{0, 0} : before->second;
     count = {std::min(count.fewest, old.fewest), std::max(count.most, old.most)};
   }
-  for (const auto& [type, count] : whole.counts_by_type) counts.try_emplace(type, 0, count.most);
+  for (const auto& [type, count] : whole.counts_by_type)
+    counts.try_emplace(type, DumpSummary::Count{0, count.most});
   whole.counts_by_type = std::move(counts);
 }
 

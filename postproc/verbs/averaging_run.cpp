@@ -165,8 +165,10 @@ Averaged average_frames(const FrameSource& source, const VolumeOptions& volumes,
   std::int64_t last_step = 0;
   sum_frames(source, look_and_sum, options, ranks, [&](const FrameSums& frame) {
     if (!source.further_runs.empty() && repeated.add(frame))
-      source.notes->add("frames are the same in two runs and count twice (one run in two forms?)",
-                        frame.step);
+      source.notes->add(
+          "frames are the same in two runs and count twice (one run in two forms, or a common initial "
+          "state?)",
+          frame.step);
     if (continuations.add(frame)) source.notes->add(goes_on, frame.step);
     last_step = frame.step;
     runs.add(frame.run, (frame.sums == 0).all());

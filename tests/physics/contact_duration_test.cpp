@@ -2,6 +2,7 @@
 // Duration and restitution of a contact (Latzel2001 2.2): t_c = pi / sqrt(k_n/m12 - (gamma_n/2 m12)^2),
 // e_n = exp(-gamma_n t_c / 2 m12).
 #include "physics/contact/contact_duration.h"
+#include "physics/contact/laws/linear.h"
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,19 @@ TEST(ContactDuration, OverdampedIsTheUndampedTimeScale) {
   // gamma/2 m12 = 5 is critical: the square root would be 0, beyond it imaginary.
   EXPECT_NEAR(contact_duration(50, 20, 2), M_PI / 5, 1e-15);
   EXPECT_NEAR(contact_duration(50, 200, 2), M_PI / 5, 1e-15);
+}
+
+// pi sqrt(m12/k) of the stiffer spring: four times as stiff, half as long.
+TEST(ContactDuration, IsThatOfTheTangentialSpringIfThatIsStiffer) {
+  ContactParameters material;
+  material.normal_stiffness = 50;
+  const Collision pair{2, 1, 0, 0};
+  const double normal = LinearNormal::duration(material, pair);
+  EXPECT_NEAR(normal, M_PI / 5, 1e-15);
+  material.tangential_stiffness = 40;
+  EXPECT_EQ(LinearNormal::duration(material, pair), normal);
+  material.tangential_stiffness = 200;
+  EXPECT_NEAR(LinearNormal::duration(material, pair), normal / 2, 1e-15);
 }
 
 // Hertz: m12 d2x/dt2 = -k_H x^(3/2), dx/dt = v at first contact.

@@ -27,6 +27,14 @@ struct WallKind {
   double curvature;
 };
 
+/// A disc of this rank at a wall: its index, the normal from its centre to the wall, the distance of the
+/// centre [m], and the type of the wall.
+struct WallTouch {
+  int disc;
+  double n_x, n_y, distance;
+  int type;
+};
+
 /// A fix with walls in contact with discs.
 class WallContactSource {
  public:
@@ -35,6 +43,8 @@ class WallContactSource {
   /// false if the step was not recorded.
   virtual bool append_wall_contacts(int group_bit, std::vector<ContactRow>& rows) const = 0;
   virtual std::vector<WallKind> wall_kinds() const = 0;
+  /// The contacts at the last force evaluation, or before the first one of a run those of its start.
+  virtual std::vector<WallTouch> touches() const = 0;
 };
 
 /// Appends the contacts of this step between discs of the group, then those of these discs with walls; each

@@ -9,6 +9,7 @@
 #include "engine/engine_lists.h"
 #include "fix.h"
 #include "lammps.h"
+#include "law/contact_rows.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "physics/contact/dashpot_rate.h"
@@ -20,7 +21,7 @@ using namespace LAMMPS_NS;
 namespace {
 
 /// Contacts of an owned disc and what is in its list, for the rate of their dashpots. Ghosts are their owners
-/// if these are on this rank, or else at rest, as smooth walls are.
+/// if these are on this rank, or else at rest, as smooth walls are taken to be.
 class DampedContacts {
  public:
   DampedContacts(LAMMPS& engine, const NeighList& list, const physics::Effects& effects,
@@ -28,7 +29,7 @@ class DampedContacts {
       : atom_(*engine.atom), effects_(effects), materials_(materials), discs_(atom_.nlocal) {
     const MovingAtoms moving(*engine.modify);
     for (int i = 0; i < atom_.nlocal; ++i) {
-      if (!moving.include(atom_.mask[i])) continue;
+      if (!moving.include(atom_, i)) continue;
       const double a = atom_.radius[i];
       discs_[i] = {1 / atom_.rmass[i], 2 / (atom_.rmass[i] * a * a)};
     }
@@ -36,6 +37,9 @@ class DampedContacts {
       const int i = list.ilist[k];
       for (int n = 0; n < list.numneigh[i]; ++n) add(i, list.firstneigh[i][n] & NEIGHMASK);
     }
+    for (const Fix* fix : fixes(*engine.modify))
+      if (const auto* walls = dynamic_cast<const WallContactSource*>(fix))
+        for (const WallTouch& touch : walls->touches()) add_wall(touch);
   }
 
   double largest_rate(double safe) const {
@@ -55,10 +59,23 @@ class DampedContacts {
     const double distance = std::hypot(x, y), overlap = atom_.radius[i] + atom_.radius[j] - distance;
     if (!(overlap > 0 && distance > 0)) return;
     const auto& p = materials_(atom_.type[i], atom_.type[j]);
+    contacts_.push_back({i, owner_of(j), j < atom_.nlocal, x / distance, y / distance,
+                         atom_.radius[i] - overlap / 2, atom_.radius[j] - overlap / 2, gamma_n(p),
+                         gamma_t(p)});
+  }
+
+  void add_wall(const WallTouch& touch) {
+    constexpr int at_rest = -1;
+    const auto& p = materials_(atom_.type[touch.disc], touch.type);
     contacts_.push_back(
-        {i, owner_of(j), j < atom_.nlocal, x / distance, y / distance, atom_.radius[i] - overlap / 2,
-         atom_.radius[j] - overlap / 2, effects_.normal_dashpot ? p.normal_damping : 0,
-         physics::has_dashpot(effects_.tangential) && p.friction > 0 ? p.tangential_damping : 0});
+        {touch.disc, at_rest, false, touch.n_x, touch.n_y, touch.distance, 0, gamma_n(p), gamma_t(p)});
+  }
+
+  double gamma_n(const physics::ContactParameters& p) const {
+    return effects_.normal_dashpot ? p.normal_damping : 0;
+  }
+  double gamma_t(const physics::ContactParameters& p) const {
+    return physics::has_dashpot(effects_.tangential) && p.friction > 0 ? p.tangential_damping : 0;
   }
 
   Atom& atom_;  // its map is not const
@@ -74,10 +91,17 @@ MovingAtoms::MovingAtoms(const Modify& modify) {
   for (const Fix* fix : fixes(modify)) {
     const std::string_view style = fix->style;
     if (style == "freeze") frozen_ |= fix->groupbit;
+    if (style == "setforce" || style == "aveforce") held_ |= fix->groupbit;
     if (style.starts_with("nve/noforce")) continue;
     for (const char* integrates : {"nve", "nvt", "npt", "nph"})
       if (style.starts_with(integrates)) integrated_ |= fix->groupbit;
   }
+}
+
+bool MovingAtoms::include(const Atom& atom, int i) const {
+  const int mask = atom.mask[i];
+  if (!(mask & integrated_) || (mask & frozen_)) return false;
+  return !(mask & held_) || atom.v[i][0] != 0 || atom.v[i][1] != 0;
 }
 
 double largest_dashpot_rate(LAMMPS& engine, const NeighList& list, const physics::Effects& effects,

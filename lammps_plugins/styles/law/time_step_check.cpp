@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string_view>
 
 #include "atom.h"
 #include "engine/engine_lists.h"
@@ -65,7 +66,7 @@ TypesAtHand types_at_hand(const Atom& atom, const Modify& modify, MPI_Comm world
   for (int i = 0; i < atom.nlocal; ++i) {
     const int t = atom.type[i] - 1;
     types.speed[t] = std::max(types.speed[t], std::hypot(atom.v[i][0], atom.v[i][1]));
-    if (moving.include(atom.mask[i])) {
+    if (moving.include(atom, i)) {
       types.mass[t] = std::min(types.mass[t], atom.rmass[i]);
     } else {
       types.carried_radius[t] = std::max(types.carried_radius[t], atom.radius[i]);
@@ -150,6 +151,12 @@ ShortestTimes shortest_times(const TypesAtHand& at_hand, const std::vector<doubl
 
 bool any_moves(const TypesAtHand& types) {
   return std::any_of(types.mass.begin(), types.mass.end(), [](double m) { return std::isfinite(m); });
+}
+
+bool has_bodies(const Modify& modify) {
+  const auto all = fixes(modify);
+  return std::any_of(all.begin(), all.end(),
+                     [](const Fix* fix) { return std::string_view(fix->style).starts_with("rigid"); });
 }
 
 /// The words for a time step that is above another one.
@@ -262,6 +269,8 @@ void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& s
     warn(engine, style +
                      ": nothing moves or touches yet, so the contact duration is unknown and the time step "
                      "is not checked; expected 'impact_velocity V' with the pair style");
+  else if (!any_moves(at_hand) && has_bodies(*engine.modify))
+    warn(engine, style + ": only the bodies of 'fix rigid' move; the time step is not checked for them");
   constexpr int minimisation = 2;
   if (engine.update->whichflag == minimisation) return;
   check_pair(engine, style, times, law.predicted);

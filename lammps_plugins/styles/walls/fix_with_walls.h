@@ -33,6 +33,7 @@ class FixWithWalls : public FixWithClock, public WallContactSource {
     return walls_.append_contacts(group_bit, rows);
   }
   std::vector<WallKind> wall_kinds() const override { return walls_.kinds(); }
+  std::vector<WallTouch> touches() const override { return walls_.touches(); }
 
  protected:
   /// Stops the run in three dimensions, or if atoms have no spin.

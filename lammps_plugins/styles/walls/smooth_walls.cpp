@@ -64,6 +64,7 @@ void SmoothWalls::init(const std::vector<physics::SmoothWall>& walls) {
   schedule_.look_up(*lmp);
   recorded_step_ = -1;
   walls_then_.clear();
+  walls_now_ = walls;
 }
 
 bool SmoothWalls::touches_walls(int i) const {
@@ -144,6 +145,7 @@ void SmoothWalls::apply(const std::vector<physics::SmoothWall>& walls) {
   for (std::size_t k = 0; !search && k < walls.size(); ++k)
     search = physics::displacement(walls_then_[k], walls[k]) > neighbor->skin / 2;
   if (search) find_near(walls);
+  walls_now_ = walls;
 
   step_.dt = update->setupflag ? 0.0 : update->dt;
   recording_ = schedule_.due(*update, *output);
@@ -207,6 +209,19 @@ void move_to(const double* place, ContactRow& row) {
 }
 
 }  // namespace
+
+std::vector<WallTouch> SmoothWalls::touches() const {
+  std::vector<WallTouch> found;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!touches_walls(i)) continue;
+    for (std::size_t k = 0; k < walls_now_.size(); ++k) {
+      const auto at = physics::nearest_point(walls_now_[k], {atom->x[i][0], atom->x[i][1]});
+      if (at.distance < atom->radius[i])
+        found.push_back({i, at.normal.x, at.normal.y, at.distance, kinds_[k].type});
+    }
+  }
+  return found;
+}
 
 bool SmoothWalls::append_contacts(int group_bit, std::vector<ContactRow>& rows) const {
   if (!any()) return true;

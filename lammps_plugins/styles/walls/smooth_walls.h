@@ -47,6 +47,7 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   /// Loads on the walls from the discs of this rank, at the last apply().
   const std::vector<physics::WallLoad>& loads() const { return loads_; }
   bool append_contacts(int group_bit, std::vector<ContactRow>& rows) const;
+  std::vector<WallTouch> touches() const;
   /// A disc as used for contacts in this step: from its row once contacts have been evaluated.
   physics::MovingDisc disc(int i) const;
   /// True if velocities are predicted for the time of the positions.
@@ -89,7 +90,7 @@ class SmoothWalls : protected LAMMPS_NS::Pointers {
   physics::StepOfSlip step_{0.0, false};
   // Discs within the skin of each wall, and the walls when these were found.
   std::vector<std::vector<int>> near_;
-  std::vector<physics::SmoothWall> walls_then_;
+  std::vector<physics::SmoothWall> walls_then_, walls_now_;
   WallSprings springs_;  // of touching discs; unused ones are dropped in find_near()
   std::vector<physics::WallLoad> loads_;
   ContactSchedule schedule_;

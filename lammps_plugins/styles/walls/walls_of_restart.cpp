@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "walls/walls_of_restart.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "engine/engine_lists.h"
 #include "engine/first_rank.h"
 #include "engine/private_member.h"
+#include "fix.h"
 #include "lammps.h"
 #include "modify.h"
 
@@ -30,8 +33,9 @@ WallsOfRestart::WallsOfRestart(const LAMMPS_NS::LAMMPS& engine, std::string styl
 }
 
 void WallsOfRestart::warn_of_unclaimed(LAMMPS_NS::LAMMPS& engine) {
+  const auto defined = fixes(*engine.modify);
   for (const std::string& name : names_)
-    if (engine.modify->find_fix(name.c_str()) < 0)
+    if (std::none_of(defined.begin(), defined.end(), [&](const auto* fix) { return name == fix->id; }))
       print_line(engine, "WARNING: " + style_ + ": the restart file holds the walls of fix " + name +
                              ", which the script does not define: their positions and springs are discarded");
   names_.clear();

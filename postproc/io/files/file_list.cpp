@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "io/files/file_kind.h"
 #include "model/error.h"
@@ -58,22 +60,24 @@ void check_runs_differ(const std::vector<std::vector<std::string>>& files) {
   struct Known {
     std::size_t run;
     const std::string* name;
-    bool starts;  // first of several
   };
   std::multimap<std::uintmax_t, Known> by_size;
+  std::set<std::pair<std::size_t, std::size_t>> share_one;  // runs with a common initial state
   for (std::size_t run = 0; run < files.size(); ++run)
     for (const std::string& file : files[run]) {
       std::error_code code;
       const std::uintmax_t size = std::filesystem::file_size(file, code);
       if (code) continue;
-      const bool starts = &file == files[run].data() && files[run].size() > 1;
       const auto [begin, end] = by_size.equal_range(size);
-      for (auto known = begin; known != end; ++known)
-        if (known->second.run != run && !(starts && known->second.starts && file != *known->second.name) &&
-            same_bytes(file, *known->second.name))
-          throw bad_input({file}, "the same frames are in two runs", "files of different runs",
-                          fmt::format("the content of {} again", *known->second.name));
-      by_size.emplace(size, Known{run, &file, starts});
+      for (auto known = begin; known != end; ++known) {
+        const auto& [other, name] = known->second;
+        if (other == run || !same_bytes(file, *name)) continue;
+        const bool several = files[run].size() > 1 && files[other].size() > 1 && file != *name;
+        if (several && share_one.emplace(other, run).second) continue;
+        throw bad_input({file}, "the same frames are in two runs", "files of different runs",
+                        fmt::format("the content of {} again", *name));
+      }
+      by_size.emplace(size, Known{run, &file});
     }
 }
 

@@ -13,8 +13,8 @@ namespace mikromakro {
 std::vector<std::string> expand_files(const std::vector<std::string>& patterns);
 
 /// Throws if a file belongs to two runs, or is a byte-by-byte copy of a file of another run: duplicated data
-/// would count twice and make the errors too small. Copies of an initial state, as the first of several files
-/// of both runs, may be there. `files[k]` are the files of run k.
+/// would count twice and make the errors too small. Two runs of several files each may share one, their
+/// initial state. `files[k]` are the files of run k.
 void check_runs_differ(const std::vector<std::vector<std::string>>& files);
 
 /// Total size in bytes; files whose size is not available count as 0.

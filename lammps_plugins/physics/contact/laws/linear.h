@@ -2,6 +2,8 @@
 // Linear normal spring (Latzel2001 2.2).
 #pragma once
 
+#include <algorithm>
+
 #include "physics/contact/contact_duration.h"
 #include "physics/contact/contact_state.h"
 
@@ -21,9 +23,12 @@ struct LinearNormal {
   static double energy(double k_n, const ContactState& s) { return 0.5 * force(k_n, s) * s.overlap; }
   /// Slope of the force [N/m]; a_12 [m].
   static double stiffness(double k_n, double /*a_12*/, double /*overlap*/) { return k_n; }
-  /// Duration of a contact [s], for the check of the time step.
+  /// Duration of a contact [s], for the check of the time step; that of the tangential spring if it is
+  /// stiffer.
   static double duration(const ContactParameters& p, const Collision& c) {
-    return contact_duration(p.normal_stiffness, p.normal_damping, c.m12);
+    const double normal = contact_duration(p.normal_stiffness, p.normal_damping, c.m12);
+    const bool stiffer = p.tangential_stiffness > p.normal_stiffness;
+    return stiffer ? std::min(normal, contact_duration(p.tangential_stiffness, 0, c.m12)) : normal;
   }
 };
 

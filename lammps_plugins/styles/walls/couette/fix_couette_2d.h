@@ -83,6 +83,7 @@ class FixCouette2d : public FixWithClock, public WallContactSource, public FixOn
     return walls_.append_contacts(group_bit, rows);
   }
   std::vector<WallKind> wall_kinds() const override { return walls_.kinds(); }
+  std::vector<WallTouch> touches() const override { return walls_.touches(); }
 
   int calls_on_rows() const override {
     using namespace LAMMPS_NS::FixConst;
