@@ -113,7 +113,7 @@ std::string type_of(const CLI::Option& option) {
   if (is_flag(option)) return "bool";
   const std::string given = option.get_type_name();
   const bool is_whole = given.find("INT") != std::string::npos;
-  const std::string one = given.find("FLOAT") != std::string::npos ? "float" : is_whole ? "int" : "Text";
+  std::string one = given.find("FLOAT") != std::string::npos ? "float" : is_whole ? "int" : "Text";
   if (!takes_many(option)) return one;
   if (takes_lists(option)) return fmt::format("{0} | Sequence[{0}] | Sequence[Sequence[{0}]]", one);
   const bool fixed = option.get_items_expected_min() > 1;
