@@ -17,6 +17,7 @@
 #include "options/value_checks.h"
 #include "report/page.h"
 #include "report/scene.h"
+#include "verbs/audits.h"
 #include "verbs/coverage.h"
 #include "verbs/input_options.h"
 #include "verbs/memory_need.h"
@@ -101,6 +102,7 @@ Task task_of(const ReportOptions& options) {
   task.audit.wheel_types = options.wheel_types;
   task.audit.margin = options.margin;
   task.audit.quiet = options.quiet;
+  check_wheel_and_margin(task.audit);
   return task;
 }
 
@@ -117,11 +119,12 @@ Survey survey(const ReportOptions& options, const Task& task) {
                 SceneRanges({volumes.bulk_types, volumes.height, options.time_step}),
                 {},
                 {}};
-  TypesSeen types("--bulk-types", volumes.bulk_types);
+  TypesSeen types("--bulk-types", volumes.bulk_types), wheel("--wheel-types", options.wheel_types);
   read_frames(task.source, task.audit, [&](const Frame& frame) {
     Notes& notes = *task.source.notes;
     check_time(frame, task.source.files().front(), options.time_step);
     types.look(frame);
+    wheel.look(frame);
     note_volumes(frame, volumes, notes);
     note_density(frame, task.source.density, options.average.volumes.height, notes);
     if (task.with_contacts) {
@@ -136,6 +139,7 @@ Survey survey(const ReportOptions& options, const Task& task) {
     return (sums != 0).any();
   });
   check_types(task.source, types);
+  check_types(task.source, wheel);
   if ((result.all.sums.mean() == 0).all()) check_coverage(task.source, volumes);
   return result;
 }

@@ -118,6 +118,7 @@ Json commands_json(const CLI::App& app, const AuditOptions& audit, std::int64_t 
           {"average", "mikromakro average" + volumes},
           {"audit", "mikromakro audit" + audited},
           {"frames", frames},
+          {"timestep", given_options(app, [](std::string_view name) { return name == "--timestep"; })},
           {"stride", stride},
           {"report", "mikromakro report" + given_options(app, [](std::string_view) { return true; })}};
 }

@@ -116,6 +116,8 @@ void check_values(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
     if (takes(*option, "FLOAT")) {
       option->check(number([](double) { return true; }, "a finite number", ""));
+    } else if (takes(*option, " to ")) {
+      continue;  // a whole_number()
     } else if (takes(*option, "UINT") || takes(*option, "INT")) {
       option->transform(whole_number(-most, most).description(""));
     } else if (option->get_items_expected_max() > 0 && !option->get_inject_separator()) {

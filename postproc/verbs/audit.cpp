@@ -30,15 +30,27 @@ void check_wheel_is_no_bulk(const AuditOptions& options) {
                     "--bulk-types as well, without those of the wheel", "none");
 }
 
+void check_box(const AuditOptions& options) {
+  if (!options.wheel_types.empty())
+    throw bad_input({"--wheel-types"}, "a box has no wheel", "--rings or --edges", "neither");
+  if (options.margin > 0)
+    throw bad_input({"--margin"}, "a box is judged up to its edges", "--rings or --edges", "neither");
+}
+
 }  // namespace
 
 bool of_rings(const VolumeOptions& volumes) {
   return !volumes.rings.empty() || !volumes.edges.empty();
 }
 
+void check_wheel_and_margin(const AuditOptions& options) {
+  check_in_one_list(options);
+  of_rings(options.volumes) ? check_wheel_is_no_bulk(options) : check_box(options);
+}
+
 void complete(AuditOptions& options) {
   check_windows(options.windows);
-  check_in_one_list(options);
+  check_wheel_and_margin(options);
   const FrameSource source = frame_source(options.input);
   take_height(source, options.volumes.height);
   note_other_runs(source);
@@ -53,7 +65,6 @@ void complete(AuditOptions& options) {
   VolumeOptions volumes = options.volumes;
   volumes.weight = "sliced";
   check_before(source, volumes, of_rings(volumes) ? options.wheel_types : std::vector<int>());
-  if (of_rings(volumes)) check_wheel_is_no_bulk(options);
   tell(*source.notes);
 }
 

@@ -12,6 +12,9 @@ namespace mikromakro {
 /// Whether the volumes are rings.
 bool of_rings(const VolumeOptions& volumes);
 
+/// Checks --wheel-types and --margin against the volumes.
+void check_wheel_and_margin(const AuditOptions& options);
+
 /// Completes the options from the files, and checks that what they refer to exists.
 void complete(AuditOptions& options);
 

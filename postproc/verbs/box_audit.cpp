@@ -26,10 +26,6 @@ constexpr const char* not_whole =
 constexpr double smooth = 1e-12;
 
 VolumeOptions checked(const AuditOptions& options) {
-  if (!options.wheel_types.empty())
-    throw bad_input({"--wheel-types"}, "a box has no wheel", "--rings or --edges", "neither");
-  if (options.margin > 0)
-    throw bad_input({"--margin"}, "a box is judged up to its edges", "--rings or --edges", "neither");
   VolumeOptions volumes = options.volumes;
   if (volumes.weight.empty()) volumes.weight = "centre";
   if (volumes.sectors > 0 || (!volumes.grid.empty() && !volumes.box.empty()))

@@ -150,7 +150,7 @@ std::vector<std::string> draw_once(DrawOptions& options) {
   scales = {};
   const std::int64_t frames = add_frames(source, options, scales);
   apply_options(options, scales);
-  const std::vector<std::string> names = picture_names(options, frames);
+  std::vector<std::string> names = picture_names(options, frames);
   check_outputs(names, source.files());
   Progress progress(total_size(source.files()), options.quiet);
   FrameStream stream(source);

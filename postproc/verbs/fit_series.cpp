@@ -90,7 +90,7 @@ bool is_series(const CsvTable& table) {
 }
 
 std::pair<Preamble, Table> fit_windows(const std::vector<CsvTable>& tables, const FitOptions& options) {
-  const CsvTable& table = tables.front();
+  const CsvTable& table = *std::find_if(tables.begin(), tables.end(), is_series);
   if (tables.size() > 1)
     throw bad_input({table.file()}, "a table of windows is fitted alone", "one table", "further ones");
   if (!options.blocks.empty())

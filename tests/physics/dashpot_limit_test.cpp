@@ -35,7 +35,8 @@ class Lattice {
     std::mt19937 random(5);
     std::normal_distribution<double> normal(0, 1e-12);  // far below the overlaps, so that all contacts last
     for (int i = 0; i < side * side; ++i) {
-      position_[i] = {spacing * (i % side + 0.5 * (i / side)), spacing * height * (i / side)};
+      const int row = i / side;
+      position_[i] = {spacing * (i % side + 0.5 * row), spacing * height * row};
       motion_[i] = {{normal(random), normal(random)}, normal(random)};
     }
   }

@@ -10,7 +10,9 @@
 #include <Eigen/Core>
 #include <functional>
 #include <span>
+#include <utility>
 
+#include "io/files/file_list.h"
 #include "io/hdf5/chunk_reader.h"
 #include "io/snapshot/snapshot_layout.h"
 #include "io/snapshot/wall_series.h"
@@ -169,6 +171,7 @@ bool SnapshotReader::open_next() {
   if (opened_ == files_.size()) return false;
   const std::string& file = files_[opened_++];
   const std::unique_ptr<Open> before = std::move(open_);
+  bytes_before_ += std::exchange(bytes_, total_size({file}));
   open_ = std::make_unique<Open>(file, wishes_);
   if (before && before->boxes.periodic != open_->boxes.periodic && wishes_.notes)
     wishes_.notes->add(file + ": the boundaries are not those of the earlier files (another run?)");
@@ -196,6 +199,13 @@ bool SnapshotReader::next(std::int64_t& step) {
                     fmt::format("{}", step));
   last_step_ = step;
   return true;
+}
+
+// The part of the file that its frames so far are.
+std::int64_t SnapshotReader::bytes_read() const {
+  if (!open_ || open_->summary.steps.empty()) return bytes_before_;
+  const double part = static_cast<double>(frame_) / static_cast<double>(open_->summary.steps.size());
+  return bytes_before_ + std::llround(part * static_cast<double>(bytes_));
 }
 
 std::int64_t SnapshotReader::contact_rows() const {

@@ -26,7 +26,7 @@ class SnapshotReader : public FrameFormat {
   bool next(std::int64_t& step) override;
   UnpackFrame take(bool closely = false) override;
   std::int64_t contact_rows() const override;
-  std::int64_t bytes_read() const override { return bytes_; }
+  std::int64_t bytes_read() const override;
 
  private:
   struct Open;
@@ -41,7 +41,7 @@ class SnapshotReader : public FrameFormat {
   std::size_t opened_ = 0;
   std::uint64_t frame_ = 0, frames_ = 0;  // of the open file
   std::int64_t last_step_ = -1;
-  std::int64_t bytes_ = 0;
+  std::int64_t bytes_before_ = 0, bytes_ = 0;  // of the files before the open one, and of this
 };
 
 }  // namespace mikromakro

@@ -131,12 +131,32 @@ std::vector<WallNumbers> wall_numbers(const Hdf5File& file) {
   return walls;
 }
 
+namespace {
+
+void check_units(const WallNumbers& one, const WallNumbers& other, const std::string& file) {
+  const std::size_t both = std::min(one.columns.size(), other.columns.size());
+  for (std::size_t i = 0; i < both; ++i) {
+    const Column &wanted = one.columns[i], &found = other.columns[i];
+    if (wanted.unit != found.unit)
+      throw bad_input({file},
+                      fmt::format("/walls/{}: the files disagree on the unit of {}", one.wall, found.name),
+                      wanted.unit + " (windows of runs with and without a height: each alone)", found.unit);
+  }
+}
+
+}  // namespace
+
 std::vector<WallNumbers> wall_numbers(const std::vector<std::string>& files) {
   std::vector<WallNumbers> all;
   for (const std::string& file : files)
-    for (WallNumbers& wall : wall_numbers(Hdf5File::open(file)))
-      if (std::none_of(all.begin(), all.end(), [&](const auto& one) { return one.wall == wall.wall; }))
+    for (WallNumbers& wall : wall_numbers(Hdf5File::open(file))) {
+      const auto known =
+          std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.wall == wall.wall; });
+      if (known == all.end())
         all.push_back(std::move(wall));
+      else
+        check_units(*known, wall, file);
+    }
   return all;
 }
 

@@ -44,12 +44,12 @@ function drawCommand(page, look) {
 }
 
 function showCommands(page, look, window) {
-  const { average, audit, frames, report } = page.commands;
+  const { average, audit, frames, report, timestep } = page.commands;
   const of = window === null ? null : page.windows[window];
   const lines = [
     ...(look === null ? [] : [["The frame shown above", drawCommand(page, look)]]),
     ...(of === null ? [] : [["The averages of its window", `${average}${framesOption(page, of.first.index, of.last.index)} --out window.csv`]]),
-    ...(page.windows.length === 0 ? [] : [["The averages in time", `${average}${frames} --every ${page.every} --out windows.csv`]]),
+    ...(page.windows.length === 0 ? [] : [["The averages in time", `${average}${frames} --every ${page.every}${timestep} --out windows.csv`]]),
     ["The averages of all frames", `${average}${frames} --out averages.csv`],
     ...(page.audit.impossible ? [] : [["The audit", audit]]),
     ["This page", report],

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <thread>
 
 #include "io/frames/frame_stream.h"
@@ -73,6 +74,24 @@ TEST(Snapshots, AreTheSameBytesAtAnyTime) {
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));
   convert(text, folder.path("later.h5"));
   EXPECT_EQ(read_text(folder.path("now.h5")), read_text(folder.path("later.h5")));
+}
+
+// For the progress of long work: a file counts by the part of its frames that were read.
+TEST(Snapshots, BytesReadGrowWithTheFrames) {
+  const Folder folder;
+  FrameSource text, snapshots;
+  text.particle_files = {folder.write("p", dump())};
+  convert(text, folder.path("s.h5"));
+  snapshots.snapshot_files = {folder.path("s.h5")};
+  const auto size = static_cast<double>(std::filesystem::file_size(folder.path("s.h5")));
+  FrameStream stream(snapshots);
+  Frame frame;
+  for (const double part : {1.0 / 3, 2.0 / 3, 1.0}) {
+    ASSERT_TRUE(stream.next(frame));
+    EXPECT_NEAR(static_cast<double>(stream.bytes_read()), part * size, 1);
+  }
+  EXPECT_FALSE(stream.next(frame));
+  EXPECT_EQ(static_cast<double>(stream.bytes_read()), size);
 }
 
 TEST(Snapshots, ColumnsThatAreMissingAreNamed) {
