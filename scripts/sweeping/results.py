@@ -7,7 +7,7 @@ import re
 
 import pandas
 
-from sweeping.plan import NoResult, guess
+from sweeping.refused import NoResult, guess
 
 
 def missing(path, what, known):

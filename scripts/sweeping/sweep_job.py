@@ -9,7 +9,7 @@ import re
 import shlex
 
 from sweeping.jobs import Job, call
-from sweeping.plan import Refused, guess, refuse
+from sweeping.refused import Refused, guess, refuse
 from sweeping.script_text import read_script
 
 
