@@ -129,6 +129,8 @@ def one_result(name, table):
             refuse(f"{where}{key}", "a text", "an empty one")
     if "file" not in table:
         refuse(f"{where}no file", 'file = "...", in the folder of a job', "none")
+    if os.path.isabs(table["file"]):
+        refuse(f"{where}file", "a path in the folder of a job", f"'{table['file']}'")
     if ("key" in table) == ("column" in table):
         refuse(f"{where}one number of {table['file']}", "either key (of JSON) or column (of a table)", "both" if "key" in table else "none")
     if "key" in table and ("where" in table or "take" in table):
