@@ -222,6 +222,6 @@ def read_plan(path):
         refuse("no [results]", "one number of each job at least", "none")
     check_names(top["grid"], results)
     check_figure(top["figure"], top["grid"], results)
-    return Plan(path, top["script"], top["program"] or "liggghts-disc", given.get("ranks", 1), folder_of(top["out"], path), tuple(top["seeds"]), top["variables"], top["grid"],
-                tuple(top["commands"]), results, top["figure"].get("x", next(iter(top["grid"]))),
+    return Plan(path, top["script"], top["program"] or "liggghts-disc", given.get("ranks", 1), folder_of(top["out"], path), tuple(top["seeds"]),
+                top["variables"], top["grid"], tuple(top["commands"]), results, top["figure"].get("x", next(iter(top["grid"]))),
                 tuple(top["figure"].get("results", [one.name for one in results])), tuple(top["figure"].get("log", [])))
