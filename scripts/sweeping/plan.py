@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The TOML file of a sweep, checked: what is in it is used or refused."""
 import dataclasses
-import difflib
+import decimal
+import json
 import os
 import re
 import tomllib
+
+from sweeping.formula import check_formula
+from sweeping.refused import guess, refuse
 
 TOP = {"script": str, "program": str, "ranks": int, "out": str, "seeds": list, "variables": dict, "grid": dict, "commands": list, "results": dict,
        "figure": dict}
@@ -13,14 +17,7 @@ FIGURE = {"x": str, "results": list, "log": list}
 TAKE = ("mean", "first", "last", "min", "max", "median", "std", "sum")
 WORDS = {str: "a text in quotes", int: "a whole number", list: "a list in brackets", dict: "a table"}
 VALUES = "a number or a text in quotes"
-
-
-class Refused(Exception):
-    """What is wrong with the file, in one line."""
-
-
-class NoResult(Exception):
-    """What is missing in a file of a job, in one line."""
+ERRORS = ("_err", "_95")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -61,13 +58,10 @@ class Plan:
     log: tuple
 
 
-def guess(name, known):
-    near = difflib.get_close_matches(str(name), known, 1, 0.6)
-    return f"'{name}'" + (f" (did you mean '{near[0]}'?)" if near else "")
-
-
-def refuse(what, expected, got):
-    raise Refused(f"{what}; expected {expected}, got {got}")
+def check_line(where, value):
+    """A text stands in one line of comments of a table."""
+    if isinstance(value, str) and not value.isprintable():
+        refuse(where, "one line of text", repr(value))
 
 
 def check(table, where, kinds):
@@ -77,6 +71,7 @@ def check(table, where, kinds):
             refuse(f"{where}unknown key", " ".join(kinds), guess(key, kinds))
         if not isinstance(value, kinds[key]) or isinstance(value, bool):
             refuse(f"{where}{key}", WORDS[kinds[key]], repr(value))
+        check_line(f"{where}{key}", value)
 
 
 def check_value(where, value):
@@ -84,6 +79,29 @@ def check_value(where, value):
         refuse(where, VALUES + (", or the list in [grid]" if isinstance(value, list) else ""), repr(value))
     if value == "":
         refuse(where, VALUES, "an empty text")
+    check_line(where, value)
+
+
+def number(value):
+    """The same for all spellings of a number; a text that is none as it is."""
+    try:
+        return str((decimal.Decimal(str(value)) + 0).normalize())
+    except ArithmeticError:
+        return value
+
+
+def check_different(where, values):
+    seen = {}
+    for value in values:
+        if number(value) in seen:
+            refuse(where, "different values", f"{json.dumps(seen[number(value)])} and {json.dumps(value)}")
+        seen[number(value)] = value
+
+
+def check_alike(where, values):
+    for value in values:
+        if isinstance(value, str) != isinstance(values[0], str):
+            refuse(where, "numbers only or texts only", f"{json.dumps(values[0])} and {json.dumps(value)}")
 
 
 def check_list(where, values, texts_of=None):
@@ -95,8 +113,8 @@ def check_list(where, values, texts_of=None):
             check_value(where, value)
         elif value not in texts_of:
             refuse(where, " ".join(texts_of), guess(value, texts_of))
-    if len(set(map(str, values))) < len(values):
-        refuse(where, "different values", values)
+    check_different(where, values)
+    check_alike(where, values)
 
 
 def one_result(name, table):
@@ -106,14 +124,22 @@ def one_result(name, table):
     if not isinstance(table, dict):
         refuse(f"[results] {name}", '{ file = "...", ... }', repr(table))
     check(table, where, RESULT)
+    for key in ("file", "key", "column", "where"):
+        if table.get(key) == "":
+            refuse(f"{where}{key}", "a text", "an empty one")
     if "file" not in table:
         refuse(f"{where}no file", 'file = "...", in the folder of a job', "none")
+    if os.path.isabs(table["file"]):
+        refuse(f"{where}file", "a path in the folder of a job", f"'{table['file']}'")
     if ("key" in table) == ("column" in table):
         refuse(f"{where}one number of {table['file']}", "either key (of JSON) or column (of a table)", "both" if "key" in table else "none")
     if "key" in table and ("where" in table or "take" in table):
         refuse(f"{where}{'where' if 'where' in table else 'take'}", "column, of a table, with it", "key, of JSON")
     if table.get("take", "mean") not in TAKE:
         refuse(f"{where}take", " ".join(TAKE), guess(table["take"], TAKE))
+    for key in ("column", "where"):
+        if key in table:
+            check_formula(f"{where}{key}", table[key])
     return Result(name, **table)
 
 
@@ -139,13 +165,37 @@ def check_variables(top):
         check_list("seeds", top["seeds"])
 
 
+def check_names(grid, results):
+    """No two columns of a table have one name."""
+    if "seeds" in grid:
+        refuse("[grid] seeds", "another name than that of the column seeds", "it")
+    errors = {one.name + ending: one.name for one in results for ending in ERRORS}
+    for where, names in (("[grid]", grid), ("[results]", [one.name for one in results])):
+        for name in names:
+            if name in errors:
+                refuse(f"{where} {name}", f"another name than {name}, the error of {errors[name]}", "it")
+    for one in results:
+        if one.name in (*grid, "seed", "seeds"):
+            refuse(f"[results] {one.name}", "another name than that of a variable of the grid, seed or seeds", "it")
+
+
 def check_figure(figure, grid, results):
     check(figure, "[figure] ", FIGURE)
     if figure.get("x", next(iter(grid))) not in grid:
         refuse("[figure] x", " ".join(grid), guess(figure["x"], grid))
-    for key in ("results", "log"):
-        if figure.get(key):
-            check_list(f"[figure] {key}", figure[key], [one.name for one in results])
+    names = [one.name for one in results]
+    if "results" in figure:
+        check_list("[figure] results", figure["results"], names)
+    if figure.get("log"):
+        check_list("[figure] log", figure["log"], figure.get("results", names))
+
+
+def folder_of(out, path):
+    """Scripts write ${out} without quotes: only characters that no engine and no shell reads as anything else."""
+    folder = out or os.path.join("out", os.path.splitext(os.path.basename(path))[0])
+    if not re.fullmatch(r"[\w./+][\w./+-]*", folder):
+        refuse("out" if out else "out, which is named after the file", "letters, digits and ./_+-", f"'{folder}'")
+    return folder
 
 
 def read_plan(path):
@@ -170,11 +220,8 @@ def read_plan(path):
     results = tuple(one_result(name, table) for name, table in top["results"].items())
     if not results:
         refuse("no [results]", "one number of each job at least", "none")
-    for one in results:
-        if one.name in (*top["grid"], "seed", "seeds"):
-            refuse(f"[results] {one.name}", "another name than that of a variable of the grid, seed or seeds", "it")
+    check_names(top["grid"], results)
     check_figure(top["figure"], top["grid"], results)
-    out = top["out"] or os.path.join("out", os.path.splitext(os.path.basename(path))[0])
-    return Plan(path, top["script"], top["program"] or "liggghts-disc", given.get("ranks", 1), out, tuple(top["seeds"]), top["variables"], top["grid"],
-                tuple(top["commands"]), results, top["figure"].get("x", next(iter(top["grid"]))),
+    return Plan(path, top["script"], top["program"] or "liggghts-disc", given.get("ranks", 1), folder_of(top["out"], path), tuple(top["seeds"]),
+                top["variables"], top["grid"], tuple(top["commands"]), results, top["figure"].get("x", next(iter(top["grid"]))),
                 tuple(top["figure"].get("results", [one.name for one in results])), tuple(top["figure"].get("log", [])))

@@ -1,18 +1,40 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tables of a sweep: a row for each job, and a row for each point of the grid with the spread over seeds."""
 import itertools
+import math
 import os
 
 import pandas
 
 from student_t import mean_error
+from sweeping.refused import NoResult
 from sweeping.results import unit_of, value_of
 
 
-def job_rows(plan, jobs):
+class Lacking:
+    """Results that could not be taken from the files of a job."""
+
+    def __init__(self):
+        self.jobs = {}
+
+    def value(self, result, job):
+        """nan where there is none."""
+        try:
+            return value_of(result, job.folder)
+        except NoResult as error:
+            self.jobs.setdefault((result.name, str(error).removeprefix(job.folder)), []).append(job)
+            return math.nan
+
+    def lines(self):
+        """One for all jobs that lack the same."""
+        return [f"{jobs[0].folder}{error}; {name} is nan there" + (f" and in {len(jobs) - 1} more jobs" if len(jobs) > 1 else "")
+                for (name, error), jobs in self.jobs.items()]
+
+
+def job_rows(plan, jobs, lacking):
     """Variables of the grid, seed, results."""
     return [{**dict(zip(plan.grid, job.point)), **({"seed": job.seed} if plan.seeds else {}),
-             **{one.name: value_of(one, job.folder) for one in plan.results}} for job in jobs]
+             **{one.name: lacking.value(one, job) for one in plan.results}} for job in jobs]
 
 
 def point_rows(plan, rows):
@@ -31,13 +53,15 @@ def point_rows(plan, rows):
 
 
 def tables(plan, jobs):
-    """Of the jobs, and of the points of the grid."""
-    rows = job_rows(plan, jobs)
-    return pandas.DataFrame(rows), pandas.DataFrame(point_rows(plan, rows))
+    """Of the jobs, and of the points of the grid; with a line for each result that is lacking."""
+    lacking = Lacking()
+    rows = job_rows(plan, jobs, lacking)
+    return pandas.DataFrame(rows), pandas.DataFrame(point_rows(plan, rows)), lacking.lines()
 
 
-def units(plan, job):
-    return {one.name: unit_of(one, job.folder) for one in plan.results}
+def units(plan, jobs):
+    """Of each result, by the first job that has its table."""
+    return {one.name: next((unit for job in jobs if (unit := unit_of(one, job.folder)) is not None), "") for one in plan.results}
 
 
 def notes(plan, unit):

@@ -9,7 +9,7 @@ import re
 import shlex
 
 from sweeping.jobs import Job, call
-from sweeping.plan import Refused, guess, refuse
+from sweeping.refused import Refused, guess, refuse
 from sweeping.script_text import read_script
 
 
@@ -63,12 +63,15 @@ def folder_name(values):
 
 
 def with_values(command, values):
-    """{name} becomes the value of that variable, quoted for the shell."""
+    """{name} becomes the value of that variable, quoted for the shell; {{name}} becomes {name}."""
     def value(match):
-        if match[1] not in values:
-            refuse(f"commands: {{{match[1]}}}", "a variable of [variables] or [grid], or seed", guess(match[1], values))
-        return shlex.quote(str(values[match[1]]))
-    return re.sub(r"(?<!\$)\{([A-Za-z_]\w*)\}", value, command)
+        if match[1]:
+            return match[1]
+        name = match[2]
+        if name not in values:
+            refuse(f"commands: {{{name}}}", f"a variable of [variables] or [grid], or seed ({{{{{name}}}}} is {{{name}}} for the command)", guess(name, values))
+        return shlex.quote(str(values[name]))
+    return re.sub(r"\{(\{[A-Za-z_]\w*\})\}|(?<!\$)\{([A-Za-z_]\w*)\}", value, command)
 
 
 def script_of(plan, values):
