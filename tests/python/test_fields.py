@@ -97,6 +97,14 @@ class Fields(Case):
         result = mikromakro.average(**box, fields=["velocity", Field(one, "step"), Field(one, "v_r_err", mean="discs")], error_blocks=0)
         self.assertEqual(result["v_r_err"].tolist(), [1, 1])
 
+    def test_xarray(self):
+        """A column of one's own with the name of another kind of place is no place."""
+        for windows in ({}, {"every": 1}):
+            result = mikromakro.average(**GOOD, rings=(0, 4, 2), fields=[Field(one, "x"), Field(one, "phi")], error_blocks=0, **windows)
+            data = result.to_xarray()
+            self.assertEqual(data["x"].dims, (*(["time"] if windows else []), "r"))
+            self.assertEqual(data["phi"].values.ravel().tolist(), result["phi"].tolist())
+
     def test_several_columns(self):
         def plane(frame):
             return np.stack([frame.particles["vx"], frame.particles["vy"]], axis=1)
