@@ -12,7 +12,7 @@ namespace mikromakro {
 // Memory reused for every disc of a frame.
 struct Averager::Scratch {
   Bulk bulk;
-  const Rows* given = nullptr;  // none if empty
+  Rows given;  // empty if no field is the caller's own
   std::vector<Eigen::Vector2d> images;
   ShareSums shares;
   Eigen::Matrix2d basis;
@@ -82,14 +82,14 @@ Averager::Bulk Averager::bulk_of(const Frame& frame) const {
   return bulk;
 }
 
-Rows Averager::frame_sums(const Frame& frame, const Rows& given) const {
+Rows Averager::frame_sums(const Frame& frame) const {
   Rows sums = Rows::Zero(volumes_->count(), static_cast<Eigen::Index>(offsets_.back()));
   const ContactLists lists(frame);
   const PeriodicImages images(frame.box, volumes_->bounds());
   Scratch scratch;
   scratch.quantity.resize(sums.cols());
   scratch.bulk = bulk_of(frame);
-  scratch.given = &given;
+  if (options_.given) scratch.given = options_.given(frame);
   for (int i = 0; i < static_cast<int>(frame.particles.size()); ++i) {
     if (!scratch.bulk.holds[static_cast<std::size_t>(i)]) continue;
     const auto ends = lists.of(i);
@@ -162,7 +162,7 @@ void Averager::collect(const Frame& frame, int particle, const Eigen::Vector2d& 
   disc.spin = from.spin;
   disc.contacts = frame.contacts_known ? static_cast<int>(ends.size()) : Disc::unknown;
   disc.mean_radius = scratch.bulk.mean_radius;
-  if (const Rows& given = *scratch.given; given.size() > 0)
+  if (const Rows& given = scratch.given; given.size() > 0)
     disc.given = {given.row(particle).data(), static_cast<std::size_t>(given.cols())};
   scratch.contacts.clear();
   for (const ContactEnd& end : ends) scratch.contacts.push_back(contact_of(frame, end, scratch));

@@ -2,6 +2,7 @@
 // From discs and contacts to fields; contains the only loop over discs.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -18,11 +19,16 @@ namespace mikromakro {
 /// contact meet and momentum balances.
 enum class Branch { by_weight, radius, contact };
 
+/// Values of the caller's own fields (fields/given_quantity.h) for the discs of a frame, discs x numbers;
+/// called by several threads.
+using GivenValues = std::function<Rows(const Frame&)>;
+
 /// Which discs are averaged, and how.
 struct AveragingOptions {
   std::vector<int> bulk_types;  ///< empty: all; discs of other types are walls
   Branch branch = Branch::by_weight;
   bool height_known = true;  ///< false: the height counts as 1, and quantities per area are per length
+  GivenValues given = {};    ///< needed if any of the fields is the caller's own
 };
 
 /// Latzel2001 Eq. 4, Q = 1/V sum_p w^p V^p Q^p, for all volumes and fields at once.
@@ -34,9 +40,8 @@ class Averager {
   /// sum_p w^p V^p Q^p of one frame: volumes x numbers, the numbers of all fields side by side. It depends on
   /// the frame alone, so frames can be summed independently; discs are summed in the order of the frame. Each
   /// periodic image of a disc counts, with the contacts of the disc and the basis at its own position. Throws
-  /// (bad input) if there are too many images. `given`: discs x numbers, the values of the caller's own
-  /// fields (fields/given_quantity.h); empty if there are none.
-  Rows frame_sums(const Frame& frame, const Rows& given = {}) const;
+  /// (bad input) if there are too many images.
+  Rows frame_sums(const Frame& frame) const;
 
   /// Numbers of rows and columns of such sums.
   Eigen::Index volume_count() const { return volumes_->count(); }

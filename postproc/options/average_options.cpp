@@ -38,7 +38,7 @@ void add_average_options(CLI::App& app, AverageOptions& options) {
 }
 
 std::unique_ptr<const Averager> make_averager(const AverageOptions& options) {
-  return make_averager(options.volumes, fields_of(options.fields, options.volumes));
+  return make_averager(options.volumes, fields_of(options.fields, options.volumes), options.given);
 }
 
 void check_use(const VolumeOptions& given, const Averager& averager) {

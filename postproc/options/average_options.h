@@ -23,6 +23,7 @@ struct AverageOptions {
   FieldChoice fields;
   std::vector<std::string> out;
   std::optional<std::size_t> error_blocks;  ///< unset: suitable_blocks()
+  GivenValues given = {};                   ///< of fields.numbers.given (not an option)
 };
 
 void add_average_options(CLI::App& app, AverageOptions& options);

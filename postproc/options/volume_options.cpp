@@ -226,10 +226,11 @@ bool is_plausible_height(double height, double radius) {
   return height >= 0.005 * radius && height <= 100 * radius;
 }
 
-std::unique_ptr<const Averager> make_averager(const VolumeOptions& options, FieldList fields) {
+std::unique_ptr<const Averager> make_averager(const VolumeOptions& options, FieldList fields,
+                                              const GivenValues& given) {
   check_choice(options);
   check_width(options);
-  const AveragingOptions averaging{options.bulk_types, branch_of(options.branch), options.height > 0};
+  const AveragingOptions averaging{options.bulk_types, branch_of(options.branch), options.height > 0, given};
   return std::make_unique<const Averager>(volumes_of(options), make_weight(options.weight), std::move(fields),
                                           averaging);
 }

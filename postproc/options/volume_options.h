@@ -49,7 +49,8 @@ std::string_view volume_option(const VolumeOptions& options);
 bool are_rings(const VolumeOptions& options);
 
 /// The averager for these options. Throws on contradictory or meaningless options.
-std::unique_ptr<const Averager> make_averager(const VolumeOptions& options, FieldList fields);
+std::unique_ptr<const Averager> make_averager(const VolumeOptions& options, FieldList fields,
+                                              const GivenValues& given = {});
 
 /// Edge radii of the rings, from --rings or --edges (m). Throws if the volumes are rectangles.
 std::vector<double> ring_edges(const VolumeOptions& options);

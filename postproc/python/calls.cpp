@@ -52,7 +52,7 @@ py::tuple average_call(const py::dict& keywords, const py::list& fields, py::obj
   command.json = false;  // what it prints is returned
   const std::vector<PythonField> own = fields_from(fields);
   for (const PythonField& one : own) command.average.fields.numbers.given.push_back(one.field);
-  if (!own.empty()) command.given = [&own](const Frame& frame) { return values_of(own, frame); };
+  if (!own.empty()) command.average.given = [&own](const Frame& frame) { return values_of(own, frame); };
   const AverageResult result = in_turn({std::move(progress), std::move(warn)},
                                        [&] { return average(command, Ranks(Ranks::Alone{})); });
   return table_of(result.table.lines, result.table.table) + py::make_tuple(text_of(result.error_report));

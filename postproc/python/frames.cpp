@@ -10,6 +10,7 @@
 
 #include "model/error.h"
 #include "python/keywords.h"
+#include "python/number_array.h"
 #include "python/turn.h"
 #include "verbs/input_options.h"
 #include "verbs/warnings.h"
@@ -81,11 +82,10 @@ py::array box_of(const Frame& frame) {
   return limits;
 }
 
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
 // Sums numbers of contacts over those of each disc.
-py::array sum_over_contacts(const Frame& frame, const Numbers& of_first, const py::object& of_second) {
-  const Numbers others = of_second.is_none() ? of_first : of_second.cast<Numbers>();
+py::array sum_over_contacts(const Frame& frame, const py::object& given, const py::object& of_second) {
+  const NumberArray of_first = number_array("sum_over_contacts", given);
+  const NumberArray others = of_second.is_none() ? of_first : number_array("sum_over_contacts", of_second);
   const auto contacts = std::ssize(frame.contacts);
   if (of_first.ndim() != 1 || others.ndim() != 1 || of_first.size() != contacts || others.size() != contacts)
     throw py::value_error("sum_over_contacts: expected one number for each of the " +

@@ -2,7 +2,6 @@
 #include "python/given_fields.h"
 
 #include <fmt/format.h>
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -12,14 +11,13 @@
 #include "model/error.h"
 #include "model/nearest_name.h"
 #include "python/frames.h"
+#include "python/number_array.h"
 #include "python/turn.h"
 
 namespace py = pybind11;
 
 namespace mikromakro {
 namespace {
-
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 template <typename Names>
 ColumnSet bit_of(const std::string& name, const Names& names) {
@@ -42,7 +40,7 @@ void add_needed(const std::string& name, GivenField& field) {
 }
 
 // Rows by discs, as many as there are; a field of one column may have one dimension.
-void check_shape(const Numbers& values, const GivenField& field, std::size_t discs) {
+void check_shape(const NumberArray& values, const GivenField& field, std::size_t discs) {
   const auto columns = static_cast<py::ssize_t>(field.columns.size());
   const auto rows = static_cast<py::ssize_t>(discs);
   const bool flat = values.ndim() == 1 && columns == 1 && values.shape(0) == rows;
@@ -83,8 +81,7 @@ Rows values_of(const std::vector<PythonField>& fields, const Frame& frame) {
   const py::object given = python_frame(std::move(copy));
   Eigen::Index first = 0;
   for (const auto& [field, function] : fields) {
-    const Numbers own = Numbers::ensure(function(given));
-    if (!own) throw py::error_already_set();
+    const NumberArray own = number_array(field.name, function(given));
     check_shape(own, field, frame.particles.size());
     const auto width = std::ssize(field.columns);
     values.middleCols(first, width) = Eigen::Map<const Rows>(own.data(), values.rows(), width);

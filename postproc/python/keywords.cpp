@@ -35,7 +35,8 @@ bool takes_lists(const CLI::Option& option) {
   return option.get_inject_separator();
 }
 bool is_text(const py::handle& value) {
-  return py::isinstance<py::str>(value) || py::hasattr(value, "__fspath__");
+  return py::isinstance<py::str>(value) || py::isinstance<py::bytes>(value) ||
+         py::hasattr(value, "__fspath__");
 }
 bool is_list(const py::handle& value) {
   return !is_text(value) && py::hasattr(value, "__iter__");
@@ -49,7 +50,7 @@ bool is_list(const py::handle& value) {
 // Numbers with all their digits.
 std::string word_of(const CLI::Option& option, const py::handle& value) {
   if (py::isinstance<py::bool_>(value) || value.is_none()) refuse(option, "a number or a text", value);
-  if (is_text(value)) return py::module_::import("os").attr("fspath")(value).cast<std::string>();
+  if (is_text(value)) return py::module_::import("os").attr("fsdecode")(value).cast<std::string>();
   if (py::hasattr(value, "__index__")) return py::str(py::int_(py::reinterpret_borrow<py::object>(value)));
   if (py::hasattr(value, "__float__"))
     return py::repr(py::float_(py::reinterpret_borrow<py::object>(value))).cast<std::string>();
@@ -129,6 +130,7 @@ std::vector<const CLI::Option*> options_of(const CLI::App& app) {
 }  // namespace
 
 void set_options(CLI::App& app, const std::string& verb, const py::dict& keywords) {
+  app.set_help_flag();  // `help(mikromakro.average)`
   check_values(app);
   const std::vector<const CLI::Option*> options = options_of(app);
   Words positional, words;
@@ -136,6 +138,8 @@ void set_options(CLI::App& app, const std::string& verb, const py::dict& keyword
     const CLI::Option& option = option_of(options, verb, key.cast<std::string>());
     if (!value.is_none()) add_option(option, value, option.get_positional() ? positional : words);
   }
+  for (std::string& file : positional)  // which may have the name of an option
+    if (file.starts_with("-")) file.insert(0, "./");
   words.insert(words.begin(), positional.begin(), positional.end());
   check_lists(app, words);
   std::reverse(words.begin(), words.end());

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "averaging/block_table.h"
+#include "averaging/window_rows.h"
 #include "io/snapshot/wall_series.h"
 #include "model/error.h"
 #include "options/error_report.h"
@@ -92,6 +94,20 @@ bool needs_forces(const Averager& averager) {
   return (averager.contacts_needed() & column_set(ContactColumn::fx)) != 0;
 }
 
+// The caller's own columns may have the names of others: of fields, volumes, errors, windows or walls.
+void check_columns(const AverageCommand& options, const Task& task) {
+  const FrameSource& source = task.source;
+  SeriesColumns columns = WindowRows(*task.averager, {options.average.error_blocks != 0,
+                                                      !source.further_runs.empty(), source.walls})
+                              .columns();
+  if (!options.windows.any()) columns.of_window.clear();
+  std::set<std::string> names;
+  for (const Column& column : columns.all())
+    if (!names.insert(column.name).second)
+      throw bad_input({"--fields"}, "two columns of one name",
+                      "other names for the columns of your own fields", in_quotes(column.name));
+}
+
 Task task_of(const AverageCommand& options, const Ranks& ranks) {
   check_windows(options);
   if (options.json) check_json(options.average);
@@ -112,6 +128,7 @@ Task task_of(const AverageCommand& options, const Ranks& ranks) {
   task.source.notes = files.notes;
   if (needs_forces(*task.averager)) note_unrecorded_walls(files);
   if (options.windows.any()) task.source.walls = wall_numbers(snapshot_files(files));
+  check_columns(options, task);
   if (!ranks.first()) return task;
   if (options.windows.any()) return task;  // created once the task has its place
   if (!options.returns_table || !task.options.out.empty())
@@ -174,7 +191,7 @@ AverageResult average_once(const AverageCommand& options, const Ranks& ranks) {
       note_branch(frame, task.options.volumes, *task.source.notes);
       note_walls(frame, options.input, *task.source.notes);
     }
-    return task.averager->frame_sums(frame, options.given ? options.given(frame) : Rows());
+    return task.averager->frame_sums(frame);
   };
   TakeSums also;
   if (task.windows) also = [&](const FrameSums& frame) { task.windows->add(frame); };

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <functional>
 #include <string>
 
 #include "averaging/parallel/ranks.h"
@@ -23,8 +22,6 @@ struct AverageCommand {
   std::string steady;  ///< column that must not drift
   std::string blocks;  ///< output file for the table with each block of frames left out
   bool json = false;
-  /// Values of the caller's own fields (AverageOptions), discs x numbers; called by several threads.
-  std::function<Rows(const Frame&)> given = {};
   bool returns_table = false;  ///< also that of windows; without --out, nothing is written (not an option)
 };
 

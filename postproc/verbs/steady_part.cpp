@@ -11,6 +11,7 @@
 #include "model/error.h"
 #include "model/nearest_name.h"
 #include "statistics/steady_state.h"
+#include "verbs/listener.h"
 
 namespace mikromakro {
 namespace {
@@ -96,7 +97,7 @@ std::string cut_to_steady_part(const std::string& column, const Averager& averag
     text = fmt::format("{} from frame {} (step {}) on, {} of {} frames, by MSER-5; {}", column, first,
                        series.steps[begin], series.values.size() - begin, series.values.size(),
                        change_of(state));
-    fmt::print(stderr, "mikromakro: steady: {}\n", text);
+    if (Listener::of_this_thread() == nullptr) fmt::print(stderr, "mikromakro: steady: {}\n", text);
   });
   source.selection = source.settled_selection();
   source.selection.first = ranks.of_first(first);

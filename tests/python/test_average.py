@@ -99,6 +99,32 @@ class Average(Case):
         rings = mikromakro.average(**GOOD, rings=(0, 4, 2), sectors=3).to_xarray()
         self.assertEqual(rings["nu"].sizes, {"r": 2, "phi": 3})
 
+    def test_results_are_equal_to_themselves(self):
+        result, other = (mikromakro.average(**GOOD, rings=(0, 4, 2)) for _ in range(2))
+        self.assertTrue(result == result)
+        self.assertFalse(result == other)
+        self.assertEqual(len({result, other, result}), 2)
+
+    def test_names_of_files(self):
+        rings = {"rings": (0, 4, 2)}
+        given = mikromakro.average(**GOOD, **rings).to_csv()
+        self.assertEqual(mikromakro.average(**{name: file.encode() for name, file in GOOD.items()}, **rings).to_csv(), given)
+        for name in ("--help", "--rings", b"no.h5"):
+            word = "./" + name if isinstance(name, str) else name.decode()
+            with self.subTest(name), self.assertRaisesRegex(mikromakro.Error, f"{word}: cannot find the file"):
+                mikromakro.average(name, **rings)
+
+    def test_files_without_a_table(self):
+        with open(self.path("text.h5"), "w", encoding="utf-8") as text:
+            text.write("no HDF5")
+        for name, why in [("nofile.h5", "cannot find the file"), ("nofile.csv", ""), ("text.h5", "HDF5")]:
+            with self.subTest(name), self.assertRaisesRegex(mikromakro.Error, name + ".*" + why):
+                mikromakro.read(self.path(name))
+        mikromakro.average(**GOOD, rings=(0, 4, 2), out=[self.path("a.csv"), self.path("a.h5")])
+        text, binary = (mikromakro.read(self.path("a" + ending)) for ending in (".csv", ".h5"))
+        self.assertEqual((text.columns, text.units, text.texts, sorted(text.header)), (binary.columns, binary.units, binary.texts, sorted(binary.header)))
+        np.testing.assert_array_equal(text.values, binary.values)
+
     def test_errors_have_the_text_of_the_program(self):
         for keywords in [{**GOOD, "rings": (0, 1, 2.5)}, {**GOOD, "rings": (100, 101, 2)}, {**GOOD, "box": (0, 1, 0, 1), "kn": -1.0},
                          {"particles": "nowhere.dump", "box": (0, 1, 0, 1)}, {**GOOD, "rings": (0, 1)},

@@ -78,6 +78,9 @@ class Calls(Case):
             mikromakro.average(**{**self.keywords, "frames": "0:40"}, progress=True)
         self.assertRegex(shown.getvalue(), r"\r *\d+ %, \d+ frames")
         self.assertTrue(shown.getvalue().endswith("\r"))
+        for wrong in (1, "yes"):
+            with self.assertRaisesRegex(TypeError, "progress: expected True, False or a function"):
+                mikromakro.average(**self.keywords, progress=wrong)
         def stop(part, frames):
             raise StopAsyncIteration("enough")
         with self.assertRaisesRegex(StopAsyncIteration, "enough"):

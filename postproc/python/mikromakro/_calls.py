@@ -44,6 +44,8 @@ class _Line:
 
 def _with_progress(progress, call):
     """Runs call(function or None); progress: True for a line of text, or a function of (part, frames)."""
+    if not (progress is None or isinstance(progress, bool) or callable(progress)):
+        raise TypeError(f"progress: expected True, False or a function, got {progress!r}")
     if progress is not True:
         return call(progress or None)
     line = _Line()
@@ -92,7 +94,7 @@ def frames(input=None, /, **options):
 
 def _as_files(tables, folder):
     """Names of files with these tables."""
-    if isinstance(tables, (str, os.PathLike, Result)):
+    if isinstance(tables, (str, bytes, os.PathLike, Result)):
         tables = [tables]
     files = []
     for i, table in enumerate(tables):

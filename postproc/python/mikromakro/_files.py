@@ -26,12 +26,21 @@ def _texts(value):
     return [one.decode() if isinstance(one, bytes) else str(one) for one in listed]
 
 
+def _opened(h5py, file):
+    try:
+        return h5py.File(file, "r")
+    except FileNotFoundError as error:
+        raise _core.Error(f"{file}: cannot find the file") from error
+    except OSError as error:
+        raise _core.Error(f"{file}: cannot be read as HDF5: {error}") from error
+
+
 def read_hdf5(file):
     try:
         import h5py
     except ImportError as error:
         raise ImportError("tables in HDF5 are read by h5py (Debian: python3-h5py)") from error
-    with h5py.File(file, "r") as content:
+    with _opened(h5py, file) as content:
         if "table" not in content:
             raise _core.Error(f"{file}: the file holds no table; expected a table of `mikromakro average`, or "
                               "mikromakro.frames() for snapshots, got none")
@@ -49,5 +58,5 @@ def read_hdf5(file):
 
 def read(file):
     """A table of averages: a Result from a .csv or .h5 file of `mikromakro average` (or of `fix ave/micromacro`)."""
-    file = os.fspath(file)
+    file = os.fsdecode(file)
     return read_hdf5(file) if file.endswith(".h5") else read_csv(file)

@@ -2,13 +2,15 @@
 """Tables of averages."""
 import json
 from collections.abc import Mapping
+from itertools import takewhile
 
 import numpy as np
 
 from . import _core
 
 # Columns that say where a volume is; columns before them say which window of frames a row belongs to.
-PLACES = ("r_inner", "r_outer", "r", "phi_begin", "phi_end", "phi", "x_min", "x_max", "y_min", "y_max", "x", "y")
+PLACES_BY_KIND = (("r_inner", "r_outer", "r"), ("phi_begin", "phi_end", "phi"), ("x_min", "x_max", "y_min", "y_max", "x", "y"))
+PLACES = sum(PLACES_BY_KIND, ())
 AXES = ("r", "phi", "x", "y")
 
 
@@ -28,6 +30,10 @@ class Result(Mapping):
         self._described = [tuple(column) for column in columns]
         self._index = {column[0]: i for i, column in enumerate(self._described)}
         self.error_report = json.loads(error_report)
+
+    # A comparison of all numbers would be one of arrays.
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
 
     def __getitem__(self, name):
         if name not in self._index:
@@ -90,12 +96,13 @@ class Result(Mapping):
 
     def _windows(self):
         """Names of the columns of windows, and of places; the numbers of windows and volumes."""
-        of_window = []
-        for name in self.columns:
-            if name in PLACES:
-                break
-            of_window.append(name)
-        places = [name for name in self.columns if name in PLACES]
+        of_window = list(takewhile(lambda name: name not in PLACES, self.columns))
+        # Fields may have such names as well, behind them.
+        places = []
+        for kind in PLACES_BY_KIND:
+            begin = len(of_window) + len(places)
+            if self.columns[begin:begin + len(kind)] == kind:
+                places += kind
         if "step_first" not in of_window:
             return [], places, 1, len(self.values)
         keys = self.values[:, [self._index[name] for name in of_window if name in ("step_first", "step_last", "run")]]
