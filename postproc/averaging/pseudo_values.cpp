@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace mikromakro {
 namespace {
@@ -52,34 +53,50 @@ void leave_seldom_ones(const Rows& smallest, PseudoValues& values) {
   }
 }
 
-// (q(a) + q(b))/2 - q for the halves a and b of the blocks where this Walsh function is +1 and -1.
-Rows bend(const std::vector<Rows>& blocks, unsigned wave, const Rows& whole, const Solver& solve,
-          const std::vector<ColumnsOfField>& fields) {
-  std::array<Rows, 2> sums = {Rows::Zero(blocks.front().rows(), blocks.front().cols()), {}};
-  sums[1] = sums[0];
-  std::array<double, 2> counts = {0, 0};
+struct Groups {
+  std::array<Rows, groups> sums;
+  std::array<double, groups> counts = {};
+};
+
+Groups grouped(const std::vector<Rows>& blocks) {
+  Groups grouped;
+  grouped.sums.fill(Rows::Zero(blocks.front().rows(), blocks.front().cols()));
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const auto group = static_cast<unsigned>(i * groups / blocks.size());
-    const auto half = static_cast<std::size_t>(std::popcount(wave & group) % 2);
-    sums[half] += blocks[i];
-    ++counts[half];
+    const std::size_t group = i * groups / blocks.size();
+    grouped.sums[group] += blocks[i];
+    ++grouped.counts[group];
   }
-  Rows bend = Rows::Zero(whole.rows(), whole.cols());
-  for (std::size_t half = 0; half < 2; ++half) {
-    Rows deviations = solve(sums[half] / counts[half]) - whole;
-    take_around(fields, deviations);
-    bend += counts[half] / static_cast<double>(blocks.size()) * deviations;
-  }
-  return bend;
+  return grouped;
 }
 
-Rows curvature(const std::vector<Rows>& blocks, const Rows& whole, const Solver& solve,
+// The mean of the groups where this Walsh function is +1 (`half` 0) or -1, and their share of all blocks.
+std::pair<Rows, double> half_of(const Groups& of, unsigned wave, int half) {
+  Rows sum = Rows::Zero(of.sums[0].rows(), of.sums[0].cols());
+  double count = 0, all = 0;
+  for (unsigned group = 0; group < groups; ++group) {
+    all += of.counts[group];
+    if (std::popcount(wave & group) % 2 != half) continue;
+    sum += of.sums[group];
+    count += of.counts[group];
+  }
+  sum /= count;
+  return {std::move(sum), count / all};
+}
+
+// Root mean square of (q(a) + q(b))/2 - q over the halves a and b of each Walsh function.
+Rows curvature(const Groups& of, const Rows& whole, const Solver& solve,
                const std::vector<ColumnsOfField>& fields) {
   Rows squares = Rows::Zero(whole.rows(), whole.cols()), known = squares;
   for (unsigned wave = 1; wave < groups; ++wave) {
-    const Rows one = bend(blocks, wave, whole, solve, fields);
-    squares += one.isFinite().select(one.square(), 0);
-    known += one.isFinite().cast<double>();
+    Rows bend = Rows::Zero(whole.rows(), whole.cols());
+    for (const int half : {0, 1}) {
+      const auto [mean, share] = half_of(of, wave, half);
+      Rows deviations = solve(mean) - whole;
+      take_around(fields, deviations);
+      bend += share * deviations;
+    }
+    squares += bend.isFinite().select(bend.square(), 0);
+    known += bend.isFinite().cast<double>();
   }
   return (squares / known).sqrt();
 }
@@ -89,8 +106,9 @@ Rows curvature(const std::vector<Rows>& blocks, const Rows& whole, const Solver&
 PseudoValues pseudo_values(const std::vector<Rows>& blocks, const Solver& solve,
                            const std::vector<ColumnsOfField>& fields) {
   const auto count = static_cast<double>(blocks.size());
-  Rows total = blocks.front();
-  for (std::size_t i = 1; i < blocks.size(); ++i) total += blocks[i];
+  const Groups of = grouped(blocks);
+  Rows total = of.sums.front();
+  for (std::size_t i = 1; i < groups; ++i) total += of.sums[i];
   const Rows whole = solve(total / count);
   PseudoValues values;
   values.deviations.reserve(blocks.size());
@@ -114,7 +132,7 @@ PseudoValues pseudo_values(const std::vector<Rows>& blocks, const Solver& solve,
   const double rounding = 2e-15 * count;
   // False for nan as well.
   values.fluctuate = values.variance.sqrt() > rounding * (whole + mean).abs();
-  values.curvature = curvature(blocks, whole, solve, fields);
+  values.curvature = curvature(of, whole, solve, fields);
   leave_seldom_ones(smallest, values);
   return values;
 }
