@@ -36,9 +36,8 @@ std::vector<ColumnsOfField> Averager::columns_of_fields() const {
   for (const ListedField& listed : fields_) {
     if (!listed.shown) continue;
     ColumnsOfField field{std::string(listed.field->name())};
-    for (const Column& column : listed.field->columns(volumes_->axes()))
-      field.periods.push_back(column.period);
-    field.count = std::ssize(field.periods);
+    field.columns = listed.field->columns(volumes_->axes());
+    field.count = std::ssize(field.columns);
     fields.push_back(std::move(field));
   }
   return fields;

@@ -11,87 +11,6 @@ namespace {
 using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-struct PseudoValues {
-  std::vector<Rows> deviations;  // deviation of each block from the whole
-  Rows variance;
-  Rows bias;  // of independent blocks: (m - 1) (q - mean of q_i)
-  // Whether the series varies beyond rounding, and in enough blocks.
-  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> fluctuate;
-};
-
-// Wraps deviations of angles to at most half a period.
-void take_around(const std::vector<ColumnsOfField>& fields, Rows& deviations) {
-  Eigen::Index begin = 0;
-  for (const ColumnsOfField& field : fields) {
-    for (std::size_t i = 0; i < field.periods.size(); ++i) {
-      const double period = field.periods[i];
-      if (period == 0) continue;
-      auto column = deviations.col(begin + static_cast<Eigen::Index>(i));
-      column = column.unaryExpr([period](double apart) { return std::remainder(apart, period); }).eval();
-    }
-    begin += field.count;
-  }
-}
-
-// A block without a disc leaves a quotient unchanged: its deviation is 0. If this holds for most blocks, the
-// others must come from several visits, since a single visit does not show how the next would differ.
-bool is_told(const std::vector<Rows>& deviations, Eigen::Index place, double least) {
-  constexpr double most = 0.5;
-  constexpr int fewest_visits = 8;
-  int occupied = 0, visits = 0;
-  bool before = false;
-  for (const Rows& deviation : deviations) {
-    const bool now = std::abs(deviation.data()[place]) > least;
-    occupied += now ? 1 : 0;
-    visits += now && !before ? 1 : 0;
-    before = now;
-  }
-  return occupied > most * static_cast<double>(deviations.size()) || visits >= fewest_visits;
-}
-
-// `smallest`: the smallest deviation of each series.
-void leave_seldom_ones(const Rows& smallest, PseudoValues& values) {
-  constexpr double nothing = 1e-9;
-  for (Eigen::Index place = 0; place < smallest.size(); ++place) {
-    const double least = nothing * std::sqrt(values.variance.data()[place]);
-    bool& fluctuates = values.fluctuate.data()[place];
-    if (fluctuates && smallest.data()[place] <= least) fluctuates = is_told(values.deviations, place, least);
-  }
-}
-
-PseudoValues pseudo_values(const std::vector<Rows>& blocks, const Solver& solve,
-                           const std::vector<ColumnsOfField>& fields) {
-  const auto count = static_cast<double>(blocks.size());
-  Rows total = blocks.front();
-  for (std::size_t i = 1; i < blocks.size(); ++i) total += blocks[i];
-  const Rows whole = solve(total / count);
-  PseudoValues values;
-  values.deviations.reserve(blocks.size());
-  Rows mean = Rows::Zero(whole.rows(), whole.cols()), squares = mean;
-  Rows smallest = Rows::Constant(whole.rows(), whole.cols(), std::numeric_limits<double>::infinity());
-  for (const Rows& block : blocks) {
-    values.deviations.emplace_back(whole - solve((total - block) / (count - 1)));
-    take_around(fields, values.deviations.back());
-    // In a single pass, since grids have a million of them.
-    double* const deviation = values.deviations.back().data();
-    for (Eigen::Index i = 0; i < whole.size(); ++i) {
-      const double one = deviation[i] *= count - 1;
-      mean.data()[i] += one;
-      squares.data()[i] += one * one;
-      smallest.data()[i] = std::min(smallest.data()[i], std::abs(one));
-    }
-  }
-  mean /= count;
-  squares /= count;
-  values.variance = squares - mean.square();
-  const double rounding = 2e-15 * count;
-  // False for nan as well.
-  values.fluctuate = values.variance.sqrt() > rounding * (whole + mean).abs();
-  values.bias = std::move(mean);
-  leave_seldom_ones(smallest, values);
-  return values;
-}
-
 // Flat indices of the series that fluctuate, volume by volume.
 std::vector<Eigen::Index> places_of(const PseudoValues& values, Eigen::Index begin, Eigen::Index columns) {
   std::vector<Eigen::Index> places;
@@ -112,13 +31,6 @@ Rows series_at(const std::vector<Eigen::Index>& places, const std::vector<Rows>&
   return series;
 }
 
-// Bias of the value of a series. A covariance about a measured mean is correlated half as long as this mean,
-// whose 2 tau its bias has.
-double bias_of(double bias_of_independent, double time) {
-  constexpr double covariance_time = 2;
-  return covariance_time * time * bias_of_independent;
-}
-
 void fill(const std::vector<Eigen::Index>& places, const PseudoValues& values, const FieldErrors& field,
           BlockErrors& errors) {
   const auto count = static_cast<double>(values.deviations.size());
@@ -127,31 +39,9 @@ void fill(const std::vector<Eigen::Index>& places, const PseudoValues& values, c
     // A single series may be correlated over its whole length.
     if (!(time < count)) continue;
     const double variance = values.variance.data()[places[i]];
-    errors.error.data()[places[i]] =
-        std::hypot(field.decision.widening * std::sqrt(variance * time / (count - time)),
-                   bias_of(values.bias.data()[places[i]], time));
+    errors.error.data()[places[i]] = field.decision.widening * std::sqrt(variance * time / (count - time));
     errors.correlation_time.data()[places[i]] = time;
   }
-}
-
-// The bias falls as 1/n, the error as 1/sqrt(n): how many samples make it small, if it is not.
-void ask_for_little_bias(const std::vector<Eigen::Index>& places, const PseudoValues& values,
-                         const CorrelationTime& correlation, ErrorDecision& decision) {
-  constexpr double most = 1.0 / 3;  // of the error
-  if (!decision.given) return;
-  std::vector<double> squares;  // of bias over error
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const double time = correlation.of_series[static_cast<Eigen::Index>(i)];
-    const double error =
-        std::sqrt(values.variance.data()[places[i]] * time / static_cast<double>(values.deviations.size()));
-    squares.push_back(std::pow(bias_of(values.bias.data()[places[i]], time) / error, 2));
-  }
-  // Not the mean: quotients have large biases where their denominators vanish.
-  const auto middle = squares.begin() + std::ssize(squares) / 2;
-  std::nth_element(squares.begin(), middle, squares.end());
-  const double needed = decision.samples * *middle / (most * most);
-  decision.needed = std::max(decision.needed, needed);
-  decision.given = decision.samples >= decision.needed;
 }
 
 void fill_by_runs(const std::vector<Eigen::Index>& places, const RunMeans& means, const FieldErrors& field,
@@ -192,7 +82,6 @@ FieldErrors errors_of(const ColumnsOfField& field, Eigen::Index begin, const Pse
   made.between = between_runs(series, runs);
   made.correlation = made.between.differ() ? made.between.within : correlation_time(series, runs);
   made.decision = decide(made.correlation, count);
-  ask_for_little_bias(places, values, made.correlation, made.decision);
   const RunMeans means = run_means(series, runs);
   const bool spread = made.between.differ() || (std::isfinite(made.between.chi_square) && are_enough(means));
   if (!spread && !made.decision.given) return made;
@@ -205,6 +94,21 @@ FieldErrors errors_of(const ColumnsOfField& field, Eigen::Index begin, const Pse
     replace_differing(places, means, made, errors);
   }
   return made;
+}
+
+// What is left of the errors of columns that are not linear in the sums.
+void correct(Eigen::Index begin, const Rows& values, const PseudoValues& jackknife, FieldErrors& made,
+             BlockErrors& errors) {
+  const Eigen::Index count = made.field.count;
+  auto error = errors.error.middleCols(begin, count);
+  auto time = errors.correlation_time.middleCols(begin, count);
+  made.nonlinear = correct_nonlinear(made.field, values.middleCols(begin, count),
+                                     jackknife.curvature.middleCols(begin, count), error);
+  time = error.isNaN().select(nan, time);
+  if (made.nonlinear.curved.empty() || error.isFinite().any()) return;
+  made.decision.given = false;
+  for (const CurvedColumn& curved : made.nonlinear.curved)
+    made.decision.needed = std::max(made.decision.needed, curved.frames_needed * made.decision.samples);
 }
 
 }  // namespace
@@ -225,6 +129,7 @@ BlockErrors block_errors(const TimeAverage& average, const Solver& solve,
   for (const ColumnsOfField& field : fields) {
     errors.fields.push_back(enough ? errors_of(field, begin, jackknife, average.runs(), errors)
                                    : FieldErrors{field});
+    if (enough) correct(begin, values, jackknife, errors.fields.back(), errors);
     errors.fields.back().correlation.time *= length;
     begin += field.count;
   }

@@ -2,17 +2,14 @@
 // Standard errors of solved quantities from block averages.
 #pragma once
 
-#include <functional>
-
+#include "averaging/nonlinear_errors.h"
+#include "averaging/pseudo_values.h"
 #include "averaging/time_average.h"
 #include "statistics/between_runs.h"
 #include "statistics/error_decision.h"
 #include "statistics/slow_change.h"
 
 namespace mikromakro {
-
-/// Computes columns (volumes x columns) from mean sums.
-using Solver = std::function<Rows(const Rows&)>;
 
 /// How the errors of a field were obtained; times are in frames.
 struct FieldErrors {
@@ -22,6 +19,7 @@ struct FieldErrors {
   ErrorDecision decision{};
   SlowChange slow{};
   BetweenRuns between{};  ///< comparison of several runs
+  NonlinearErrors nonlinear{};
 };
 
 /// One number per volume and column.
@@ -44,8 +42,7 @@ struct BlockErrors {
 /// Delete-one-block jackknife of the output of `solve`: the pseudo-values of m blocks are m q - (m - 1) q_i,
 /// with q_i computed from the mean of all blocks but i. For quantities linear in the sums they are the block
 /// means. With s^2 their variance, err^2 = 2 tau s^2/m/(1 - 2 tau/m), and err is multiplied by the widening
-/// of the decision. The bias of q, 2 (2 tau) (m - 1) (mean of q_i - q), is added to it by squares; a field
-/// where it exceeds a third of the error in half of the series has none.
+/// of the decision. Columns that are not linear in the sums have larger errors, or none (nonlinear_errors.h).
 ///
 /// 2 tau is computed from the pseudo-values of all columns of a field in all volumes together
 /// (correlation_time.h), and one decision is made for the whole field (error_decision.h). If runs differ by

@@ -21,13 +21,14 @@ double angle_of(const DiscContact& contact) {
 
 std::vector<Column> ContactAngles::columns(const Axes& axes) const {
   const std::string from = ", counter-clockwise from e_" + axes[0];
-  return {
-      {"contact_angle_h2_amplitude", "1", "Latzel2001 Bild 6", "a_2 of the density of contact directions"},
-      {"contact_angle_h2_angle", "degree", "Latzel2001 Bild 6", "its direction" + from + ", in (-90, 90]",
-       180},
-      {"contact_angle_h4_amplitude", "1", "Latzel2001 Bild 6", "a_4 of the density of contact directions"},
-      {"contact_angle_h4_angle", "degree", "Latzel2001 Bild 6", "its direction" + from + ", in (-45, 45]",
-       90}};
+  return {{"contact_angle_h2_amplitude", "1", "Latzel2001 Bild 6", "a_2 of the density of contact directions",
+           0, true},
+          {"contact_angle_h2_angle", "degree", "Latzel2001 Bild 6", "its direction" + from + ", in (-90, 90]",
+           180},
+          {"contact_angle_h4_amplitude", "1", "Latzel2001 Bild 6", "a_4 of the density of contact directions",
+           0, true},
+          {"contact_angle_h4_angle", "degree", "Latzel2001 Bild 6", "its direction" + from + ", in (-45, 45]",
+           90}};
 }
 
 void ContactAngles::add_contacts(const Disc& disc, std::span<const DiscContact> contacts,

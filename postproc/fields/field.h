@@ -45,7 +45,7 @@ struct DiscContact {
 struct ColumnsOfField {
   std::string name;
   Eigen::Index count = 0;
-  std::vector<double> periods = {};  ///< period of each column, see Column; empty if none is an angle
+  std::vector<Column> columns = {};  ///< empty if nothing is known about them
 };
 
 /// Names of the two directions: {"r", "phi"} or {"x", "y"}.

@@ -13,11 +13,11 @@ std::vector<Column> PrincipalAxes::columns(const Axes& axes) const {
   const std::string major = tensor_.compression_negative ? "largest compression" : "largest value";
   return {
       {"tr_" + symbol, unit, "-", "trace"},
-      {"dev_" + symbol, unit, "-", "largest minus smallest principal value"},
+      {"dev_" + symbol, unit, "-", "largest minus smallest principal value", 0, true},
       {"angle_" + symbol, "degree", "-",
        fmt::format("direction of the {}, counter-clockwise from e_{}, in (-90, 90]", major, axes[0]), 180},
-      {symbol + "_major", unit, "-", "principal value of the " + major},
-      {symbol + "_minor", unit, "-", "the other principal value"}};
+      {symbol + "_major", unit, "-", "principal value of the " + major, 0, true},
+      {symbol + "_minor", unit, "-", "the other principal value", 0, true}};
 }
 
 void PrincipalAxes::solve(const VolumeData& /*volumes*/, const ConstRowsRef& numbers, RowsRef columns) const {

@@ -15,6 +15,9 @@ struct Column {
   std::string equation;  ///< where it is defined, e.g. "Latzel2001 Eq. 3"; "-" if there is nothing to cite
   std::string text;
   double period = 0;  ///< period of angles, in the column's unit; 0: not an angle
+  /// Whether it contains the length of a vector, as a deviator is; the length that belongs to an angle is the
+  /// column before it.
+  bool length = false;
 };
 
 /// Numbers, row-major.

@@ -31,7 +31,22 @@ std::string report_by_runs(const FieldErrors& made) {
   return fmt::format("{}: none, {}; four runs of the same length would suffice", made.field.name, why);
 }
 
-std::string report(const FieldErrors& made) {
+// Columns and directions without errors, because they are not linear in the sums.
+std::string withheld(const FieldErrors& made) {
+  std::string remark;
+  for (const CurvedColumn& curved : made.nonlinear.curved)
+    remark += fmt::format(
+        "; none of {}, which is not linear in the sums over the range of its error ({:.2g} times as many "
+        "frames or runs would do)",
+        curved.name, curved.frames_needed);
+  if (made.nonlinear.undirected > 0)
+    remark += fmt::format(
+        "; none of {} directions, which are hardly determined (deviators below four of their errors)",
+        made.nonlinear.undirected);
+  return remark;
+}
+
+std::string decided(const FieldErrors& made) {
   const CorrelationTime& correlation = made.correlation;
   const ErrorDecision& decision = made.decision;
   if (made.series == 0) return made.field.name + ": none, no column fluctuates";
@@ -52,6 +67,11 @@ std::string report(const FieldErrors& made) {
       100 * correlation.scatter, decision.samples, decision.freedom, of_runs(made));
 }
 
+std::string report(const FieldErrors& made) {
+  const bool all_curved = !made.decision.given && !made.nonlinear.curved.empty();
+  return (all_curved ? made.field.name + ": none" : decided(made)) + withheld(made);
+}
+
 Json json_of(const FieldErrors& made) {
   const CorrelationTime& correlation = made.correlation;
   const bool known = !std::isnan(correlation.time);
@@ -70,6 +90,9 @@ Json json_of(const FieldErrors& made) {
   json["slow_wave_ratio"] = made.slow.ratio;
   json["by_runs"] = std::int64_t{made.decision.by_runs};
   json["chi2_between_runs"] = made.between.chi_square;
+  json["nonlinear_columns"] = Json::array();
+  for (const CurvedColumn& curved : made.nonlinear.curved) json["nonlinear_columns"].push_back(curved.name);
+  json["undirected"] = static_cast<std::int64_t>(made.nonlinear.undirected);
   json["widening"] = made.decision.given ? made.decision.widening : std::nan("");
   return json;
 }

@@ -17,8 +17,9 @@ std::string doubt_of(const BlockErrors& errors);
 
 /// The same as JSON: method, frames, blocks, block_length, and for each field given, series (number that
 /// fluctuate), two_tau and two_tau_err in frames, two_tau_scatter, two_tau_scatter_unknown, effective_samples
-/// and needed_samples, degrees_of_freedom, slow_wave_ratio, by_runs, chi2_between_runs, widening. Unknown
-/// values are null.
+/// and needed_samples, degrees_of_freedom, slow_wave_ratio, by_runs, chi2_between_runs, widening,
+/// nonlinear_columns (without errors because they are not linear), undirected (number of directions without
+/// an error). Unknown values are null.
 Json error_json(const BlockErrors& errors, const TimeAverage& average);
 
 }  // namespace mikromakro

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How often standard errors cover the truth, in artificial runs whose truth is known, as Markdown:
 //   build/bin/coverage_bench [TRIALS [TITLE]]
-// all tables, or those with TITLE in their title; fit: those of fitted profiles. "before" is the rule that
+// all tables, or those with TITLE in their title; fit: those of fitted profiles; tensors: those of principal
+// axes and mu_c. "before" is the rule that
 // decided number by number, "now" that of block_errors. Where fewer than one trial in fifty has errors,
 // nothing is said of their coverage.
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "coverage_scenes.h"
 #include "fit_coverage.h"
 #include "statistics/error_trials.h"
+#include "tensor_coverage.h"
 
 namespace mikromakro::bench {
 namespace {
@@ -282,6 +284,8 @@ int main(int argc, char** argv) {
   if (argc > 2) wanted = argv[2];
   if (wanted.empty() || wanted == "fit") print_fit_coverage(trials);
   if (wanted == "fit") return 0;
+  if (wanted.empty() || wanted == "tensors") print_tensor_coverage(trials);
+  if (wanted == "tensors") return 0;
   for (const Eigen::Index volumes : {20, 4, 1}) correlated(volumes);
   two_scales();
   slow_parts();

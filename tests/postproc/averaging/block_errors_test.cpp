@@ -135,7 +135,7 @@ TEST(BlockErrors, OfAnglesGoAroundTheirSeam) {
   const Solver angle = [](const Rows& sums) {
     return row({90 / std::acos(-1.0) * std::atan2(sums(0, 1), sums(0, 0))});
   };
-  const std::vector<ColumnsOfField> fields = {{"axes", 1, {180}}};
+  const std::vector<ColumnsOfField> fields = {{"axes", 1, {{"angle", "degree", "-", "", 180}}}};
   const double wanted = block_errors(here, angle, fields).error(0, 0);
   // 0.1/2 of a radian over sqrt(1000), within the uncertainty of a variance of 1000 and of 2 tau.
   EXPECT_NEAR(wanted, 0.05 * 180 / std::acos(-1.0) / std::sqrt(1000.0), 0.15 * wanted);

@@ -129,7 +129,7 @@ TEST(ErrorsOfOneField, OfCovariancesNeedSamplesOfTheirMean) {
 }
 
 TEST(ErrorsOfOneField, CoverQuotients) {
-  Trials trials = field_of({0.5, 41, 1}, 20, 200);
+  Trials trials = field_of({0.5, 41, 1}, 20, 500);
   trials.run = [noise = CorrelatedNoise(0.5, 20, 2)](auto& random) { return noise(41, random); };
   trials.solve = [](const Rows& sums) { return Rows((sums.col(1) + 20) / (sums.col(0) + 10)); };
   trials.truth = Rows::Constant(20, 1, 2);
