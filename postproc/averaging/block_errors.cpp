@@ -179,6 +179,7 @@ std::vector<Column> error_columns(const std::vector<Column>& columns,
 
 void append_errors(const BlockErrors& errors, const std::vector<Column>& columns, Table& table) {
   std::vector<ColumnsOfField> fields;
+  fields.reserve(errors.fields.size());
   for (const FieldErrors& made : errors.fields) fields.push_back(made.field);
   for (Column& column : error_columns(columns, fields)) table.columns.push_back(std::move(column));
   const Rows times = errors.times_of_fields();
