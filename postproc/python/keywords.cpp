@@ -47,13 +47,13 @@ bool is_list(const py::handle& value) {
                                    py::repr(got).cast<std::string>()));
 }
 
-// Numbers with all their digits.
+// Numbers with all their digits; NumPy 2 writes its own as np.float64(0.1).
 std::string word_of(const CLI::Option& option, const py::handle& value) {
   if (py::isinstance<py::bool_>(value) || value.is_none()) refuse(option, "a number or a text", value);
   if (is_text(value)) return py::module_::import("os").attr("fsdecode")(value).cast<std::string>();
   if (py::hasattr(value, "__index__")) return py::str(py::int_(py::reinterpret_borrow<py::object>(value)));
   if (py::hasattr(value, "__float__"))
-    return py::repr(py::float_(py::reinterpret_borrow<py::object>(value))).cast<std::string>();
+    return py::repr(py::float_(value.attr("__float__")().cast<double>())).cast<std::string>();
   refuse(option, "a number or a text", value);
 }
 
