@@ -140,6 +140,7 @@ Survey survey(const ReportOptions& options, const Task& task) {
   });
   check_types(task.source, types);
   check_types(task.source, wheel);
+  check_wheel_is_no_bulk(task.audit);
   if ((result.all.sums.mean() == 0).all()) check_coverage(task.source, volumes);
   return result;
 }

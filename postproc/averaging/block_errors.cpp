@@ -167,6 +167,7 @@ Rows BlockErrors::times_of_fields() const {
 std::vector<Column> error_columns(const std::vector<Column>& columns,
                                   const std::vector<ColumnsOfField>& fields) {
   std::vector<Column> added;
+  added.reserve(columns.size() + 1 + fields.size());
   for (const Column& column : columns)
     added.push_back({column.name + "_err", column.unit, "jackknife", "standard error of " + column.name});
   added.push_back({"effective_samples", "1", "-",

@@ -22,14 +22,6 @@ void check_in_one_list(const AuditOptions& options) {
                       "types that are not in --bulk-types", fmt::format("{} in both", type));
 }
 
-// Without --bulk-types all discs are averaged: the wheel would then contribute to the stresses, but not to
-// its own torque.
-void check_wheel_is_no_bulk(const AuditOptions& options) {
-  if (!options.wheel_types.empty() && options.volumes.bulk_types.empty())
-    throw bad_input({"--wheel-types"}, "the discs of the wheel would be averaged, too",
-                    "--bulk-types as well, without those of the wheel", "none");
-}
-
 void check_box(const AuditOptions& options) {
   if (!options.wheel_types.empty())
     throw bad_input({"--wheel-types"}, "a box has no wheel", "--rings or --edges", "neither");
@@ -45,7 +37,15 @@ bool of_rings(const VolumeOptions& volumes) {
 
 void check_wheel_and_margin(const AuditOptions& options) {
   check_in_one_list(options);
-  of_rings(options.volumes) ? check_wheel_is_no_bulk(options) : check_box(options);
+  if (!of_rings(options.volumes)) check_box(options);
+}
+
+// Without --bulk-types all discs are averaged: the wheel would then contribute to the stresses, but not to
+// its own torque.
+void check_wheel_is_no_bulk(const AuditOptions& options) {
+  if (!options.wheel_types.empty() && options.volumes.bulk_types.empty())
+    throw bad_input({"--wheel-types"}, "the discs of the wheel would be averaged, too",
+                    "--bulk-types as well, without those of the wheel", "none");
 }
 
 void complete(AuditOptions& options) {
@@ -65,6 +65,7 @@ void complete(AuditOptions& options) {
   VolumeOptions volumes = options.volumes;
   volumes.weight = "sliced";
   check_before(source, volumes, of_rings(volumes) ? options.wheel_types : std::vector<int>());
+  check_wheel_is_no_bulk(options);
   tell(*source.notes);
 }
 

@@ -14,6 +14,7 @@ bool of_rings(const VolumeOptions& volumes);
 
 /// Checks --wheel-types and --margin against the volumes.
 void check_wheel_and_margin(const AuditOptions& options);
+void check_wheel_is_no_bulk(const AuditOptions& options);
 
 /// Completes the options from the files, and checks that what they refer to exists.
 void complete(AuditOptions& options);
