@@ -18,8 +18,9 @@ unset(LIGGGHTS_LIBRARY CACHE)
 find_library(LIGGGHTS_LIBRARY liggghts NO_DEFAULT_PATH NO_CACHE
              PATHS ${LIGGGHTS_SOURCE_DIR}/build ${LIGGGHTS_SOURCE_DIR}/src ${LIGGGHTS_SOURCE_DIR}/src/build)
 if(NOT LIGGGHTS_LIBRARY MATCHES "\\.so$")
-  message(FATAL_ERROR "LIGGGHTS_SOURCE_DIR: no libliggghts.so in build/, src/ or src/build/; expected it to be built, for example by\n"
+  message(FATAL_ERROR "LIGGGHTS_SOURCE_DIR: no libliggghts.so in build/, src/ or src/build/ of '${LIGGGHTS_SOURCE_DIR}'; expected it to be "
+                      "built, for example by\n"
                       "  cmake -S ${LIGGGHTS_SOURCE_DIR}/src -B ${LIGGGHTS_SOURCE_DIR}/build -DCMAKE_BUILD_TYPE=Release\n"
                       "  cmake --build ${LIGGGHTS_SOURCE_DIR}/build --target liggghts_shared\n"
-                      "or 'make makeshlib; make -f Makefile.shlib auto' in src/")
+                      "What recent compilers and CMake need for this stands in docs/platforms.md, 'A LIGGGHTS of your own'.")
 endif()
