@@ -23,7 +23,7 @@ NumberArray number_array(const std::string& what, const py::object& given) {
   if (number_kinds.find(array.dtype().kind()) == std::string_view::npos)
     throw bad_input({what}, "these are no real numbers", "an array of bool, int or float",
                     py::str(array.dtype()).cast<std::string>());
-  const NumberArray numbers = NumberArray::ensure(array);
+  NumberArray numbers = NumberArray::ensure(array);
   if (!numbers) throw py::error_already_set();
   return numbers;
 }

@@ -29,6 +29,7 @@ const ColumnsOfField axes = {
 TEST(PseudoValues, BendByTheSecondOrderBetweenHalves) {
   constexpr double d = 3, mean = 5;
   std::vector<Rows> blocks;
+  blocks.reserve(8);
   for (int i = 0; i < 8; ++i) blocks.push_back(rows_of(1, {mean + (i % 2 == 0 ? d : -d)}));
   const PseudoValues values = pseudo_values(
       blocks, [](const Rows& sums) { return Rows((Rows(1, 2) << sums.square(), 2 * sums + 1).finished()); },
@@ -40,6 +41,7 @@ TEST(PseudoValues, BendByTheSecondOrderBetweenHalves) {
 // An angle of 90 degrees on either side of its seam does not bend.
 TEST(PseudoValues, OfAnglesBendAroundTheirSeam) {
   std::vector<Rows> blocks;
+  blocks.reserve(8);
   for (int i = 0; i < 8; ++i) blocks.push_back(rows_of(1, {i % 2 == 0 ? 1.0 : -1.0}));
   const Solver angle = [](const Rows& sums) { return Rows(sums + (sums > 1e-9).select(-90, 90 + 0 * sums)); };
   const PseudoValues values =
