@@ -28,6 +28,14 @@ struct Cells {
   std::int64_t begin = 0, count = 1;
 };
 
+// A disc in one cell of the grid, with what decides on an overlap, so that neighbours are read in one place.
+struct Entry {
+  Vector2d position;
+  double radius;
+  int index;   // of the disc
+  int before;  // previous entry of the same bucket, -1 if none
+};
+
 // An unbounded grid in which each disc is listed in all cells that its bounding square overlaps; along a
 // periodic axis the cells are those of the box. Distant cells may share a hash bucket, which costs only time.
 class Grid {
@@ -58,18 +66,13 @@ class Grid {
       for (std::int64_t j = 0; j < along_y.count; ++j) {
         int& last = last_[bucket_of(wrapped(along_x.begin + i, 0), wrapped(along_y.begin + j, 1))];
         for (int entry = last; entry >= 0; entry = entries_[static_cast<std::size_t>(entry)].before)
-          visit(entries_[static_cast<std::size_t>(entry)].index);
-        entries_.push_back({index, last});
+          visit(entries_[static_cast<std::size_t>(entry)]);
+        entries_.push_back({disc.position, disc.radius, index, last});
         last = static_cast<int>(entries_.size()) - 1;
       }
   }
 
  private:
-  struct Entry {
-    int index;   // of a disc
-    int before;  // previous entry of the same bucket, -1 if none
-  };
-
   Cells cells_of(const Particle& disc, Eigen::Index axis) const {
     const double from = (disc.position[axis] - disc.radius - low_[axis]) / cell_[axis];
     const double to = (disc.position[axis] + disc.radius - low_[axis]) / cell_[axis];
@@ -111,15 +114,17 @@ void visit_overlaps(const std::vector<Particle>& discs, const Box& box, Visit vi
   std::vector<int> seen_by(discs.size(), -1);  // two discs may share several cells
   for (int i = 0; i < std::ssize(discs); ++i) {
     const Particle& two = discs[static_cast<std::size_t>(i)];
-    grid.add(i, two, [&](int j) {
-      if (j == i || std::exchange(seen_by[static_cast<std::size_t>(j)], i) == i) return;
-      const Particle& one = discs[static_cast<std::size_t>(j)];
+    grid.add(i, two, [&](const Entry& one) {
+      const int j = one.index;
       const double reach = one.radius + two.radius;
-      const auto take = [&](const Vector2d& branch) { visit(DiscPair{j, i, reach - branch.norm(), branch}); };
       const Vector2d nearest = images.nearest(two.position - one.position);
+      // The distance comes first: few pairs in a cell overlap, and those that do share several cells.
+      if (!(nearest.squaredNorm() < reach * reach) || j == i) return;
+      if (std::exchange(seen_by[static_cast<std::size_t>(j)], i) == i) return;
+      const auto take = [&](const Vector2d& branch) { visit(DiscPair{j, i, reach - branch.norm(), branch}); };
       if (several) {
         images.visit_within(reach, nearest, take);
-      } else if (nearest.squaredNorm() < reach * reach) {
+      } else {
         take(nearest);
       }
     });
