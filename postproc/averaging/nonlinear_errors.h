@@ -30,9 +30,8 @@ struct NonlinearErrors {
 /// - A direction, the column after its length L, has an error only if L exceeds four of its errors e, else
 /// nan. The errors of L and of the direction are those of two components, nearly independent: a limit on the
 /// error of the direction itself would select those that are underestimated. Lengths selected are on average
-/// larger than their true values and their directions vary more than the error says, which is multiplied by
-/// (1
-/// + 8 (e/L)^2)^0.5.
+/// larger than their true values and their directions vary more than the error says: it is multiplied by
+/// (1 + 8 (e/L)^2)^0.5.
 /// - In other columns twice the curvature is added, too, and must be small: its square relative to that of
 /// the error has a median over the volumes of at most 1/16/(1 + 8/volumes), else no volume has an error.
 /// Quotients with a fluctuating denominator are an example: small values have small errors, so that a
