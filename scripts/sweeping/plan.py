@@ -3,6 +3,7 @@
 import dataclasses
 import decimal
 import json
+import math
 import os
 import re
 import tomllib
@@ -79,6 +80,8 @@ def check_value(where, value):
         refuse(where, VALUES + (", or the list in [grid]" if isinstance(value, list) else ""), repr(value))
     if value == "":
         refuse(where, VALUES, "an empty text")
+    if isinstance(value, float) and not math.isfinite(value):
+        refuse(where, "a finite number", value)
     check_line(where, value)
 
 

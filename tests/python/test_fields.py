@@ -166,6 +166,8 @@ class Fields(Case):
         for text in ({"unit": "m\n1,2,3"}, {"equation": "a\r"}, {"text": "a\n"}):
             with self.subTest(text), self.assertRaisesRegex(ValueError, "is one line"):
                 Field(one, **text)
+        with self.assertRaisesRegex(ValueError, "unit= is without brackets, got 'm]'"):
+            Field(one, unit="m]")
 
     def test_views_may_be_kept(self):
         files, kept = dumps(self.folder, 9, float), {}

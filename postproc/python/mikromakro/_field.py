@@ -44,5 +44,7 @@ class Field:
             text = getattr(self, name)
             if len((text + ".").splitlines()) > 1:
                 raise ValueError(f"Field {self.name}: {name}= is one line, got {text!r}")
+        if set(self.unit) & set("[]"):
+            raise ValueError(f"Field {self.name}: unit= is without brackets, got {self.unit!r}")
         if self.mean not in ("volume", "discs"):
             raise ValueError(f"Field {self.name}: mean= is 'volume' or 'discs', got {self.mean!r}")
