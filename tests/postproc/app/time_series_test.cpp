@@ -101,6 +101,11 @@ TEST(AuditOfWindows, IsThatOfTheirFrames) {
     EXPECT_EQ(numbers.at(8), json_number(alone.out, "law"));
     EXPECT_GT(numbers.at(8), 0);
   }
+  // What was averaged, and why there is no torque.
+  const std::string head = run_program(audit + "--every 7").out;
+  for (const char* const line : {"# particles: ", "# contacts: ", "# rings: 0 4 5\n",
+                                 "# nan: torque in 3 of 3 windows: no contacts with a wheel"})
+    EXPECT_NE(head.find(line), std::string::npos) << line << head;
   const Ran off = run_program(audit + "--every 7 --bound 0.5");
   EXPECT_EQ(off.code, 1);
   EXPECT_NE(off.err.find("steps 0 to 60: balances are off"), std::string::npos) << off.err;
