@@ -3,7 +3,7 @@
 import json
 import os
 
-from reproduction import biaxial, fabric, packings, pictures, regimes, thresholds  # noqa: F401, they register their figures
+from reproduction import biaxial, fabric, in_time, packings, pictures, regimes, thresholds  # noqa: F401, they register their figures
 from reproduction.figures import FIGURES, LAW_NAMES
 from reproduction.sheet import RESULTS
 from reproduction.study import LAWS, RUNS

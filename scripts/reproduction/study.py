@@ -90,3 +90,13 @@ def bidisperse():
 def biaxial_test():
     """To 9 % of strain, at the default rate, with many frames: rotations are sums over them. The wall is that of the run in docs/results."""
     return biaxial(strain=0.09, shear_time=0.3, frames=180, wall_mass=2e-4)
+
+
+def biaxial_tests():
+    """The same with snapshots in one file, of eight packings."""
+    return [biaxial(seed, strain=0.09, shear_time=0.3, frames=300, wall_mass=2e-4, snapshot="on") for seed in SAMPLE_SEEDS]
+
+
+def starts_of_shear():
+    """Run B from the moment at which the wheel begins to turn, over one turn."""
+    return [couette(*RUNS["B"], "viscous", seed, discard_time=0, measure_time=62.83, snap_time=0.1, snapshot="on") for seed in SEEDS]

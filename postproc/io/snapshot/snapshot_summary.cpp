@@ -85,16 +85,7 @@ std::vector<double> times_of(const Hdf5File& file, std::size_t frames, const std
   return times;
 }
 
-}  // namespace
-
-SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& name) {
-  if (!file.has("/h5md") || !file.has(steps_path) || !file.has("/particles/discs/id/value"))
-    throw bad_input({name}, "no snapshots in the file",
-                    "/h5md and /particles/discs as mikromakro writes them", "neither");
-  SnapshotSummary summary;
-  summary.steps = all_of(file, steps_path);
-  while (!summary.steps.empty() && summary.steps.back() == snapshot::no_id) summary.steps.pop_back();
-  summary.times = times_of(file, summary.steps.size(), name);
+void add_discs(const Hdf5File& file, const std::string& name, SnapshotSummary& summary) {
   for (const auto& element : snapshot::elements) {
     const std::string path = snapshot::value_path(element);
     Hdf5Dataset& dataset = summary.elements.emplace_back();
@@ -106,10 +97,6 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
                 fmt::format("{} is", element.name), name);
     summary.particles_given |= element.columns();
   }
-  for (const std::string corner : {"low", "edges"}) {
-    check_unit(file.dataset(snapshot::corner_path(corner)), snapshot::corner_path(corner), "m", name);
-    check_steps(file, snapshot::box + "/" + corner + "/step", summary.steps, "the box is", name);
-  }
   const Hdf5Shape shape = summary.elements.front().shape();  // of the ids
   if (shape.size() != 2 || shape[0] < summary.steps.size())
     throw bad_input({name}, "the numbers of frames differ",
@@ -119,7 +106,16 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
     throw bad_input({name}, "the number of particles is not valid", "less than 2^31",
                     fmt::format("{}", shape[1]));
   summary.most_particles = shape[1];
-  if (!file.has(snapshot::contacts + "offset")) return summary;
+}
+
+void check_box(const Hdf5File& file, const std::string& name, const std::vector<std::int64_t>& steps) {
+  for (const std::string corner : {"low", "edges"}) {
+    check_unit(file.dataset(snapshot::corner_path(corner)), snapshot::corner_path(corner), "m", name);
+    check_steps(file, snapshot::box + "/" + corner + "/step", steps, "the box is", name);
+  }
+}
+
+void add_contact_columns(const Hdf5File& file, const std::string& name, SnapshotSummary& summary) {
   for (std::size_t slot = 0; slot < std::size(contact_column_names); ++slot) {
     const std::string path = snapshot::contact_path(slot);
     Hdf5Dataset& dataset = summary.columns.emplace_back();
@@ -131,6 +127,10 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
                       fmt::format("{} dimensions", dataset.shape().size()));
     summary.contacts_given |= ColumnSet{1} << slot;
   }
+}
+
+// Offsets of the contacts of each frame, and the number of all at the end.
+void add_contact_offsets(const Hdf5File& file, const std::string& name, SnapshotSummary& summary) {
   check_steps(file, snapshot::contacts + "step", summary.steps, "contacts are", name);
   summary.contact_offsets = all_of(file, snapshot::contacts + "offset");
   auto& offsets = summary.contact_offsets;
@@ -147,6 +147,23 @@ SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& nam
   if (static_cast<std::uint64_t>(offsets.back()) > rows)
     throw bad_input({name}, "contacts are missing", fmt::format("{} rows", offsets.back()),
                     fmt::format("{}", rows));
+}
+
+}  // namespace
+
+SnapshotSummary summarise_snapshots(const Hdf5File& file, const std::string& name) {
+  if (!file.has("/h5md") || !file.has(steps_path) || !file.has("/particles/discs/id/value"))
+    throw bad_input({name}, "no snapshots in the file",
+                    "/h5md and /particles/discs as mikromakro writes them", "neither");
+  SnapshotSummary summary;
+  summary.steps = all_of(file, steps_path);
+  while (!summary.steps.empty() && summary.steps.back() == snapshot::no_id) summary.steps.pop_back();
+  summary.times = times_of(file, summary.steps.size(), name);
+  add_discs(file, name, summary);
+  check_box(file, name, summary.steps);
+  if (!file.has(snapshot::contacts + "offset")) return summary;
+  add_contact_columns(file, name, summary);
+  add_contact_offsets(file, name, summary);
   return summary;
 }
 
