@@ -158,8 +158,8 @@ void note_friction(const Frame& frame, double mu, Notes& notes) {
                 largest < (1 - 100 * rounding) * mu, frame.step);
 }
 
-void note_stiffness(const Frame& frame, double normal_stiffness, Notes& notes) {
-  if (normal_stiffness == 0 || frame.contacts.empty()) return;
+void note_stiffness(const Frame& frame, double normal_stiffness, bool given, Notes& notes) {
+  if (!(normal_stiffness > 0) || frame.contacts.empty()) return;
   const std::size_t stride = stride_of(frame.contacts.size());
   std::vector<double> slopes;
   for (std::size_t i = 0; i < frame.contacts.size(); i += stride) {
@@ -175,7 +175,7 @@ void note_stiffness(const Frame& frame, double normal_stiffness, Notes& notes) {
                high = slopes[slopes.size() - 1 - tenth];
   // Where dashpots matter the slopes scatter.
   constexpr double alike = 1.5, tolerance = 1.1, anyway = 10;
-  const bool are_alike = high < alike * low;
+  const bool are_alike = given && high < alike * low;
   const double least = are_alike ? low / tolerance : middle / anyway,
                most = are_alike ? tolerance * high : anyway * middle;
   notes.judge(fmt::format("k_n = {} N/m is not that of the contacts (another unit, or from another run? "

@@ -29,8 +29,8 @@ void note_branch(const Frame& frame, const VolumeOptions& volumes, Notes& notes)
 void note_friction(const Frame& frame, double mu, Notes& notes);
 
 /// Notes if, in half of the frames, `normal_stiffness` (N/m) is not that of f_n/overlap over a sample of
-/// contacts: by a tenth if these are alike, by a factor of ten if dashpots scatter them. Does nothing for 0,
-/// or if fewer than five contacts have both.
-void note_stiffness(const Frame& frame, double normal_stiffness, Notes& notes);
+/// contacts: by a tenth if it is `given` by the user and these are alike, else by a factor of ten, since
+/// dashpots add to forces. Does nothing for 0 or nan, or if fewer than five contacts have both.
+void note_stiffness(const Frame& frame, double normal_stiffness, bool given, Notes& notes);
 
 }  // namespace mikromakro

@@ -57,7 +57,7 @@ std::int64_t read_frames(const FrameSource& source, const AuditOptions& options,
     const bool covered = take(frame);
     runs.add(frame.run, !covered);
     note_volumes(frame, options.volumes, *source.notes);
-    if (options.kn_given) note_stiffness(frame, options.kn, *source.notes);
+    note_stiffness(frame, options.kn, options.kn_given, *source.notes);
     progress.update(stream.bytes_read(), ++frames);
   }
   if (frames > 0) {

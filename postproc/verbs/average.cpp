@@ -180,12 +180,13 @@ AverageResult average_once(const AverageCommand& options, const Ranks& ranks) {
   });
   if (!options.steady.empty())
     task.steady = cut_to_steady_part(options.steady, *task.averager, options.run, ranks, task.source);
-  const double stiffness = options.average.fields.numbers.normal_stiffness;  // as given
+  const bool given = options.average.fields.numbers.normal_stiffness > 0;
+  const double stiffness = task.options.fields.stiffness_of_run;
   const bool with_forces = needs_forces(*task.averager);
   const SumFrame sum = [&](const Frame& frame) {
     check_time(frame, task.source.files().front(), options.windows.time_step);
     note_density(frame, task.source.density, options.average.volumes.height, *task.source.notes);
-    note_stiffness(frame, stiffness, *task.source.notes);
+    note_stiffness(frame, stiffness, given, *task.source.notes);
     note_friction(frame, task.options.fields.numbers.friction_coefficient, *task.source.notes);
     if (with_forces) {
       note_branch(frame, task.options.volumes, *task.source.notes);

@@ -134,8 +134,9 @@ void note_other_runs(const FrameSource& source) {
   const auto all = constants_of(source);
   if (all.size() < 2) return;
   const RunConstants& there = all.front().second;
+  // Converted files do not hold the constants of their run.
   const auto differ = [](const std::vector<double>& a, const std::vector<double>& b) {
-    return !std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+    return !a.empty() && !b.empty() && !std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
   };
   for (const auto& one : all) {
     const RunConstants& constants = one.second;
@@ -143,7 +144,8 @@ void note_other_runs(const FrameSource& source) {
       source.notes->add(
           fmt::format("{} is from a different run than {}: {}", one.first, all.front().first, what));
     };
-    if (constants.law != there.law) note(fmt::format("{}, there {}", constants.law, there.law));
+    if (!constants.law.empty() && !there.law.empty() && constants.law != there.law)
+      note(fmt::format("{}, there {}", constants.law, there.law));
     if (differ(constants.normal_stiffness, there.normal_stiffness)) note("other k_n");
     if (differ(constants.friction, there.friction)) note("other mu");
   }

@@ -212,7 +212,7 @@ void FixAveMicromacro::look(const Frame& frame) {
   volumes.height = 0;
   note_volumes(frame, volumes, *notes_);
   note_friction(frame, options_.fields.numbers.friction_coefficient, *notes_);
-  note_stiffness(frame, options_.fields.numbers.normal_stiffness, *notes_);
+  note_stiffness(frame, options_.fields.numbers.normal_stiffness, true, *notes_);
   if (needs_forces()) note_branch(frame, options_.volumes, *notes_);
   if (discs_) return;
   const auto solid = make_averager(options_.volumes, make_fields({"solid_fraction"}));

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "io/hdf5/hdf5_turn.h"
 #include "model/error.h"
 
 namespace mikromakro {
@@ -50,6 +51,7 @@ herr_t read_chunk(hid_t dataset, const std::vector<hsize_t>& offset, std::uint32
 }  // namespace
 
 ChunkReader::ChunkReader(Hdf5Dataset dataset) : dataset_(std::move(dataset)) {
+  const Hdf5Turn turn;
   const Hdf5Shape shape = dataset_.shape();
   axis_ = shape.size() == 1 ? 0 : 1;
   places_ = shape.size() > 1 ? shape[1] : 0;
@@ -105,6 +107,7 @@ PackedNumbers ChunkReader::take_block(const Hdf5Block& block) {
 // Null if the chunk was never written, or has no checksum.
 std::shared_ptr<const PackedChunk> ChunkReader::chunk_at(const Hdf5Shape& corner) {
   if (last_ && last_corner_ == corner) return last_;
+  const Hdf5Turn turn;
   const std::vector<hsize_t> offset(corner.begin(), corner.end());
   hsize_t size = 0;
   const std::uint64_t expected = product(chunk_) * number_size + sum_size;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "io/hdf5/hdf5_calls.h"
+#include "io/hdf5/hdf5_turn.h"
 #include "model/error.h"
 
 namespace mikromakro {
@@ -92,6 +93,7 @@ void cannot_write(const std::string& place) {
 }
 
 std::optional<std::vector<std::string>> Hdf5Dataset::text_attribute(const std::string& name) const {
+  const Hdf5Turn turn;
   if (H5Aexists(id_.get(), name.c_str()) <= 0) return {};
   const Hdf5Id id(H5Aopen(id_.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
   if (is_marked(id) && H5Aexists(id_.get(), (name + guarded).c_str()) > 0)
@@ -101,6 +103,7 @@ std::optional<std::vector<std::string>> Hdf5Dataset::text_attribute(const std::s
 
 void Hdf5File::add_attribute(const std::string& path, const std::string& name, const Hdf5Id& space,
                              std::int64_t type, const void* value) {
+  const Hdf5Turn turn;
   const Hdf5Id id(H5Acreate_by_name(id_.get(), path.c_str(), name.c_str(), type, space.get(), H5P_DEFAULT,
                                     H5P_DEFAULT, H5P_DEFAULT),
                   H5Aclose);
@@ -108,12 +111,14 @@ void Hdf5File::add_attribute(const std::string& path, const std::string& name, c
 }
 
 void Hdf5File::attribute(const std::string& path, const std::string& name, const std::string& value) {
+  const Hdf5Turn turn;
   const char* const text = value.c_str();
   const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose);
   add_attribute(path, name, space, text_type(H5T_VARIABLE, H5T_CSET_UTF8).get(), &text);
 }
 
 void Hdf5File::guarded_attribute(const std::string& path, const std::string& name, const std::string& value) {
+  const Hdf5Turn turn;
   const char* const text = value.c_str();
   const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose);
   add_attribute(path, name, space, marked_text().get(), &text);
@@ -122,6 +127,7 @@ void Hdf5File::guarded_attribute(const std::string& path, const std::string& nam
 
 void Hdf5File::attribute(const std::string& path, const std::string& name,
                          const std::vector<std::string>& values) {
+  const Hdf5Turn turn;
   std::vector<const char*> texts;
   texts.reserve(values.size());
   for (const std::string& value : values) texts.push_back(value.c_str());
@@ -131,23 +137,28 @@ void Hdf5File::attribute(const std::string& path, const std::string& name,
 
 void Hdf5File::attribute(const std::string& path, const std::string& name,
                          std::span<const std::int64_t> numbers) {
+  const Hdf5Turn turn;
   add_attribute(path, name, space_of({numbers.size()}), H5T_NATIVE_INT64, numbers.data());
 }
 
 void Hdf5File::attribute(const std::string& path, const std::string& name, std::int64_t number) {
+  const Hdf5Turn turn;
   add_attribute(path, name, Hdf5Id(H5Screate(H5S_SCALAR), H5Sclose), H5T_NATIVE_INT64, &number);
 }
 
 bool Hdf5File::has_attribute(const std::string& path, const std::string& name) const {
+  const Hdf5Turn turn;
   return H5Aexists_by_name(id_.get(), path.c_str(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
 void Hdf5File::short_attribute(const std::string& path, const std::string& name, const std::string& value) {
+  const Hdf5Turn turn;
   const Hdf5Id space(H5Screate(H5S_SCALAR), H5Sclose);
   add_attribute(path, name, space, text_type(value.size(), H5T_CSET_ASCII).get(), value.data());
 }
 
 std::vector<std::int64_t> Hdf5File::number_attribute(const std::string& path, const std::string& name) const {
+  const Hdf5Turn turn;
   const Hdf5Id id(H5Aopen_by_name(id_.get(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   const Hdf5Id space(H5Aget_space(id.get()), H5Sclose);
   const auto count = H5Sget_simple_extent_npoints(space.get());
@@ -162,6 +173,7 @@ std::vector<std::int64_t> Hdf5File::number_attribute(const std::string& path, co
 }
 
 std::vector<std::string> Hdf5File::text_attribute(const std::string& path, const std::string& name) const {
+  const Hdf5Turn turn;
   const Hdf5Id id(H5Aopen_by_name(id_.get(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   if (is_marked(id) && has_attribute(path, name + guarded)) return text_attribute(path, name + guarded);
   return texts_of(id, fmt::format("{}:{}@{}", file_, path, name));

@@ -13,6 +13,7 @@
 
 #include "io/files/file_kind.h"
 #include "io/hdf5/hdf5_calls.h"
+#include "io/hdf5/hdf5_turn.h"
 #include "model/error.h"
 
 namespace mikromakro {
@@ -85,11 +86,13 @@ void leave_hdf5_open_at_exit() {
 }
 
 bool Hdf5Dataset::is_whole() const {
+  const Hdf5Turn turn;
   const Hdf5Id type(H5Dget_type(id_.get()), H5Tclose);
   return H5Tget_class(type.get()) == H5T_INTEGER;
 }
 
 Hdf5Shape Hdf5Dataset::shape() const {
+  const Hdf5Turn turn;
   const Hdf5Id space(H5Dget_space(id_.get()), H5Sclose);
   std::array<hsize_t, H5S_MAX_RANK> lengths = {};
   const int rank = H5Sget_simple_extent_dims(space.get(), lengths.data(), nullptr);
@@ -98,12 +101,14 @@ Hdf5Shape Hdf5Dataset::shape() const {
 }
 
 void Hdf5Dataset::grow(const Hdf5Shape& shape) {
+  const Hdf5Turn turn;
   if (H5Dset_extent(id_.get(), sizes(shape).data()) < 0)
     throw run_failed(fmt::format("{}: cannot be extended", place_),
                      "space on the disk, and a dataset that may grow (written by mikromakro)", last_reason());
 }
 
 Hdf5Shape Hdf5Dataset::reach(const Hdf5Shape& shape) {
+  const Hdf5Turn turn;
   Hdf5Shape lengths = this->shape();
   const Hdf5Shape before = lengths;
   for (std::size_t i = 0; i < shape.size(); ++i) lengths[i] = std::max(lengths[i], shape[i]);
@@ -112,6 +117,7 @@ Hdf5Shape Hdf5Dataset::reach(const Hdf5Shape& shape) {
 }
 
 Hdf5Id Hdf5Dataset::select(const Hdf5Block& block, Hdf5Id& in_memory) const {
+  const Hdf5Turn turn;
   Hdf5Id space(H5Dget_space(id_.get()), H5Sclose);
   if (H5Sget_simple_extent_ndims(space.get()) != static_cast<int>(block.count.size())) return {};
   if (H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, sizes(block.begin).data(), nullptr,
@@ -122,6 +128,7 @@ Hdf5Id Hdf5Dataset::select(const Hdf5Block& block, Hdf5Id& in_memory) const {
 }
 
 void Hdf5Dataset::read_raw(const Hdf5Block& block, Hdf5Type type, void* numbers, std::size_t size) const {
+  const Hdf5Turn turn;
   const std::uint64_t wanted =
       std::accumulate(block.count.begin(), block.count.end(), std::uint64_t{1}, std::multiplies<>());
   if (wanted == 0) return;
@@ -133,6 +140,7 @@ void Hdf5Dataset::read_raw(const Hdf5Block& block, Hdf5Type type, void* numbers,
 }
 
 void Hdf5Dataset::write_raw(const Hdf5Block& block, Hdf5Type type, const void* numbers) {
+  const Hdf5Turn turn;
   Hdf5Id memory;
   const Hdf5Id space = select(block, memory);
   if (space.get() < 0 ||
@@ -141,6 +149,7 @@ void Hdf5Dataset::write_raw(const Hdf5Block& block, Hdf5Type type, const void* n
 }
 
 Hdf5File Hdf5File::create(const std::string& file, bool paged) {
+  const Hdf5Turn turn;
   silence();
   const Hdf5Id list = without_times(H5P_FILE_CREATE);
   if (paged) H5Pset_file_space_strategy(list.get(), H5F_FSPACE_STRATEGY_PAGE, false, 1);
@@ -150,6 +159,7 @@ Hdf5File Hdf5File::create(const std::string& file, bool paged) {
 }
 
 Hdf5File Hdf5File::open(const std::string& file) {
+  const Hdf5Turn turn;
   silence();
   // Open as a reader alongside a writer; files of other programs may have a format without that mode. The
   // open fails if a writer changes the file meanwhile, so it is retried for a second.
@@ -163,6 +173,7 @@ Hdf5File Hdf5File::open(const std::string& file) {
 }
 
 Hdf5File Hdf5File::open_to_append(const std::string& file, bool mend) {
+  const Hdf5Turn turn;
   silence();
   const Hdf5Id access = newer_layout();
   // A reader, such as a notebook with the file open, must not block the writer.
@@ -174,6 +185,7 @@ Hdf5File Hdf5File::open_to_append(const std::string& file, bool mend) {
 }
 
 bool Hdf5File::has(const std::string& path) const {
+  const Hdf5Turn turn;
   for (std::size_t slash = path.find('/', 1);; slash = path.find('/', slash + 1)) {
     const htri_t there = H5Lexists(id_.get(), path.substr(0, slash).c_str(), H5P_DEFAULT);
     if (there < 0) cannot_read(file_);
@@ -184,6 +196,7 @@ bool Hdf5File::has(const std::string& path) const {
 
 Hdf5Dataset Hdf5File::add_growing(const std::string& path, Hdf5Type type, const Hdf5Shape& chunk,
                                   std::int64_t fill, bool checked, bool packed) {
+  const Hdf5Turn turn;
   add_groups_above(path);
   const std::vector<hsize_t> none(chunk.size(), 0);
   const std::vector<hsize_t> any(chunk.size(), H5S_UNLIMITED);
@@ -206,6 +219,7 @@ Hdf5Dataset Hdf5File::add_growing(const std::string& path, Hdf5Type type, const 
 }
 
 Hdf5Dataset Hdf5File::add_fixed(const std::string& path, Hdf5Type type, const Hdf5Shape& shape) {
+  const Hdf5Turn turn;
   add_groups_above(path);
   const Hdf5Id space = space_of(shape);
   Hdf5Id id(H5Dcreate2(id_.get(), path.c_str(), in_file(type), space.get(), H5P_DEFAULT,
@@ -216,6 +230,7 @@ Hdf5Dataset Hdf5File::add_fixed(const std::string& path, Hdf5Type type, const Hd
 }
 
 Hdf5Dataset Hdf5File::dataset(const std::string& path) const {
+  const Hdf5Turn turn;
   Hdf5Id id(H5Dopen2(id_.get(), path.c_str(), H5P_DEFAULT), H5Dclose);
   if (id.get() < 0) cannot_read(fmt::format("{}:{}", file_, path));
   return {std::move(id), fmt::format("{}:{}", file_, path)};
@@ -223,12 +238,14 @@ Hdf5Dataset Hdf5File::dataset(const std::string& path) const {
 
 // Intermediate groups that HDF5 creates itself would have timestamps.
 void Hdf5File::add_groups_above(const std::string& path) {
+  const Hdf5Turn turn;
   const std::size_t slash = path.rfind('/');
   if (slash != std::string::npos && slash > 0 && !has(path.substr(0, slash)))
     add_group(path.substr(0, slash));
 }
 
 void Hdf5File::add_group(const std::string& path) {
+  const Hdf5Turn turn;
   add_groups_above(path);
   const Hdf5Id id(
       H5Gcreate2(id_.get(), path.c_str(), H5P_DEFAULT, without_times(H5P_GROUP_CREATE).get(), H5P_DEFAULT),
@@ -237,17 +254,20 @@ void Hdf5File::add_group(const std::string& path) {
 }
 
 void Hdf5File::link(const std::string& existing, const std::string& path) {
+  const Hdf5Turn turn;
   add_groups_above(path);
   if (H5Lcreate_hard(id_.get(), existing.c_str(), id_.get(), path.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0)
     cannot_write(file_);
 }
 
 void Hdf5File::copy(const Hdf5File& from, const std::string& path) {
+  const Hdf5Turn turn;
   if (H5Ocopy(from.id_.get(), path.c_str(), id_.get(), path.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0)
     cannot_write(file_);
 }
 
 bool Hdf5File::are_one(const std::string& path, const std::string& other) const {
+  const Hdf5Turn turn;
 #if H5_VERSION_GE(1, 12, 0)
   H5O_info2_t one{}, two{};
   int difference = 0;
@@ -264,15 +284,18 @@ bool Hdf5File::are_one(const std::string& path, const std::string& other) const 
 }
 
 void Hdf5File::flush() {
+  const Hdf5Turn turn;
   if (H5Fflush(id_.get(), H5F_SCOPE_GLOBAL) < 0) cannot_write(file_);
 }
 
 void Hdf5File::close() {
+  const Hdf5Turn turn;
   flush();
   id_ = Hdf5Id();
 }
 
 bool Hdf5File::recognises(const std::string& file) {
+  const Hdf5Turn turn;
   check_regular(file);
   silence();
   return H5Fis_hdf5(file.c_str()) > 0;

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "io/hdf5/hdf5_turn.h"
+
 namespace mikromakro {
 
 /// RAII handle of an HDF5 object.
@@ -25,7 +27,9 @@ class Hdf5Id {
     return *this;
   }
   ~Hdf5Id() {
-    if (id_ >= 0) close_(id_);
+    if (id_ < 0) return;
+    const Hdf5Turn turn;
+    close_(id_);
   }
 
   std::int64_t get() const { return id_; }
