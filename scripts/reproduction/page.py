@@ -70,8 +70,8 @@ def write():
              "Made by `scripts/reproduce`; a single figure, or a part of the tables, by the command beside it. Simulations: "
              "[in.couette](../../inputs/couette/README.md) with the full protocol (dilute start, compaction, one turn discarded, 60 s averaged over 121 "
              "snapshots) where nothing else is said. Runs A, B, C: mean ± standard error of three seeds, that is of three packings. In brackets: ours less "
-             "the paper's, in our standard errors (statistical) alone, since the paper gives none of its own; of three seeds the ± is s/sqrt(3), not widened for its "
-             "two degrees of freedom as the errors of `average` are, and 4.3 of them are an interval of 95 %. What depends on choices of the fit has their range beside it: where the paper's value lies within, no difference is shown by any number of "
+             "the paper's, in our standard errors (statistical) alone, since the paper gives none of its own; of n packings the ± is s/sqrt(n), not widened for its "
+             "n - 1 degrees of freedom as the errors of `average` are: an interval of 95 % are 4.3 of them for three, 2.4 for eight; where 68 % of Student's t is said, it is widened. What depends on choices of the fit has their range beside it: where the paper's value lies within, no difference is shown by any number of "
              "statistical errors ([errors](../manual/errors.md)).\n",
              *tables()]
     for name, caption in kept(CAPTIONS).items():

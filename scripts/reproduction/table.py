@@ -44,7 +44,9 @@ def away(mean, error, paper):
 
 
 def cell(mean, error, paper, digits):
-    """Ours with its error, and its distance from the paper's value in such errors."""
+    """Ours with its error, and its distance from the paper's value in such errors; with more digits where the error would be rounded to 0."""
+    while error > 0 and round(error, digits) == 0:
+        digits += 1
     return f"{mean:.{digits}f} ± {error:.{digits}f}" + ("" if paper is None else f" ({away(mean, error, paper)})")
 
 
@@ -250,7 +252,7 @@ def between_packings():
     fits = [profiles.fit(run, 60) for run in packings.packings()]
     known = sum(fit["v0_err"] is not None for fit in fits)
     return ["chi^2 per degree of freedom of v0; s of the packings, run B, Eq. 1", "-", "; ".join(f"{chi_square(fits, key):.1f}" for key in ("v0", "s")),
-            f"{known} of {len(fits)} seeds whose fits have errors, about their weighted mean, in the standard errors of one run each (the figure of the packings has each less the mean of the others, per value); above 1: packings differ by more than one run can know"]
+            f"{known} of {len(fits)} seeds whose fits have errors, all 121 snapshots, about their weighted mean, in the standard errors of one run each (the figure of the packings has 100 snapshots, and each less the mean of the others, per value); above 1: packings differ by more than one run can know"]
 
 
 GROUPS["trends"] = Group("the table's trends", [run for law in LAWS for run in (run_b(law), *ladder(LAW_NAMES[law]))], trends)

@@ -87,6 +87,24 @@ Scene biaxial_box() {
   return {"biaxial_box", created, given, "run 4000\nreset_timestep 0\n"};
 }
 
+/// A pile under gravity that a wall stirs: contacts slide while their slip turns round, with a dashpot beside
+/// the spring.
+Scene stirred_pile() {
+  const Material material{.gamma_n = 0.02, .gamma_t = 0.01};
+  const std::string created =
+      scene(springs + " tangential_damping on", material, 0.1, 2, "f f p", "0.002") +
+      "create_discs box -0.05 0.05 -0.04 0.1 seed 3 density 6.36 velocity 0.1 discs 40 1 0.004 discs 70 2 "
+      "0.0025\n";
+  const std::string given =
+      constants(material, 2) +
+      "fix integrate all nve/disc\nfix down all gravity 9.81 vector 0.3 -1 0\n"
+      "fix floor all wall/disc type 1 plane 0 1 -0.07 move vx 0.1\n"
+      "fix left all wall/disc type 2 plane 1 0 -0.05\nfix right all wall/disc type 1 plane -1 0 -0.05\n"
+      "fix drum all wall/disc type 2 circle 0 -0.055 0.012 outside rotate 5\n"
+      "compute contacts all contact/disc\ntimestep 2.5e-5\n";
+  return {"stirred_pile", created, given, "run 8000\nreset_timestep 0\n"};
+}
+
 const Scene scenes[] = {
     dense_packing("normal_forces", "model disc/linear tangential off", {}),
     dense_packing("viscous", "model disc/linear tangential disc/viscous", {},
@@ -98,6 +116,7 @@ const Scene scenes[] = {
     dense_packing("hertz", "model disc/hertz tangential disc/cundall_strack", {.k_n = 1e6}),
     shear_cell(),
     smooth_cell(),
+    stirred_pile(),
     biaxial_box()};
 
 class Continuation : public testing::TestWithParam<Scene> {

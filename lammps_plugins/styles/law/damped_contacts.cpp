@@ -2,7 +2,6 @@
 #include "law/damped_contacts.h"
 
 #include <cmath>
-#include <string_view>
 #include <vector>
 
 #include "atom.h"
@@ -24,10 +23,9 @@ namespace {
 /// if these are on this rank, or else at rest, as smooth walls are taken to be.
 class DampedContacts {
  public:
-  DampedContacts(LAMMPS& engine, const NeighList& list, const physics::Effects& effects,
-                 const MaterialTable& materials)
+  DampedContacts(LAMMPS& engine, const NeighList& list, const MovingAtoms& moving,
+                 const physics::Effects& effects, const MaterialTable& materials)
       : atom_(*engine.atom), effects_(effects), materials_(materials), discs_(atom_.nlocal) {
-    const MovingAtoms moving(*engine.modify);
     for (int i = 0; i < atom_.nlocal; ++i) {
       if (!moving.include(atom_, i)) continue;
       const double a = atom_.radius[i];
@@ -87,26 +85,9 @@ class DampedContacts {
 
 }  // namespace
 
-MovingAtoms::MovingAtoms(const Modify& modify) {
-  for (const Fix* fix : fixes(modify)) {
-    const std::string_view style = fix->style;
-    if (style == "freeze") frozen_ |= fix->groupbit;
-    if (style == "setforce" || style == "aveforce") held_ |= fix->groupbit;
-    if (style.starts_with("nve/noforce")) continue;
-    for (const char* integrates : {"nve", "nvt", "npt", "nph"})
-      if (style.starts_with(integrates)) integrated_ |= fix->groupbit;
-  }
-}
-
-bool MovingAtoms::include(const Atom& atom, int i) const {
-  const int mask = atom.mask[i];
-  if (!(mask & integrated_) || (mask & frozen_)) return false;
-  return !(mask & held_) || atom.v[i][0] != 0 || atom.v[i][1] != 0;
-}
-
-double largest_dashpot_rate(LAMMPS& engine, const NeighList& list, const physics::Effects& effects,
-                            const MaterialTable& materials, double safe) {
-  return DampedContacts(engine, list, effects, materials).largest_rate(safe);
+double largest_dashpot_rate(LAMMPS& engine, const NeighList& list, const MovingAtoms& moving,
+                            const physics::Effects& effects, const MaterialTable& materials, double safe) {
+  return DampedContacts(engine, list, moving, effects, materials).largest_rate(safe);
 }
 
 }  // namespace mikromakro::styles

@@ -17,6 +17,7 @@
 #include "law/disc_check.h"
 #include "law/effects_line.h"
 #include "law/fix_on_rows.h"
+#include "law/moving_atoms.h"
 #include "law/unseen_forces.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -72,11 +73,19 @@ void DiscLaw::complete_set_up(const NeighList& list) {
   set_up_complete_ = true;
   shared_.skin.check_growth_in_set_up();
   check_discs(*lmp, style(), effects().spring());
-  check_time_step(*lmp, list, style(), time_scales());
+  told_.clear();
+  held_ = groups_with_set_forces(*lmp);
+  check_steps_to_come(list);
   list_of_run_ = &list;
   print_line(*lmp, effects_line(effects(), *modify, predicted_));
   warn_of_unseen_forces(*lmp);
   warn_of_disagreement(*lmp);
+}
+
+void DiscLaw::check_steps_to_come(const NeighList& list) {
+  checked_step_ = update->dt;
+  checked_discs_ = atom->natoms;
+  check_time_step(*lmp, list, style(), time_scales(), told_);
 }
 
 void DiscLaw::run_ended() {
@@ -85,7 +94,7 @@ void DiscLaw::run_ended() {
 }
 
 TimeScales DiscLaw::time_scales() const {
-  return {effects(), materials_, settings_.impact_velocity(), predicted_};
+  return {effects(), materials_, settings_.impact_velocity(), predicted_, held_};
 }
 
 const DiscRow* DiscLaw::evaluated_row(int i) const {
@@ -109,6 +118,9 @@ double DiscLaw::strongest_contact() const {
 
 void DiscLaw::evaluate(const Evaluation& evaluation) {
   if (!set_up_complete_) complete_set_up(evaluation.list);
+  // Fixes pour discs and reset the time step, and `run ... pre no` has no set-up.
+  if (evaluation.is_step && (update->dt > checked_step_ || atom->natoms > checked_discs_))
+    check_steps_to_come(evaluation.list);
   shared_.skipped.restore(*lmp);
   // The same on all ranks, even on those without discs.
   shared_.packed.open = evaluation.is_step && step_may_end_open();

@@ -138,6 +138,7 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   void complete_set_up(const LAMMPS_NS::NeighList& list);
   void find_integrators();
   TimeScales time_scales() const;
+  void check_steps_to_come(const LAMMPS_NS::NeighList& list);
   void update_rows_and_lists(const LAMMPS_NS::NeighList& list);
   void run_loop(const Evaluation& evaluation, const PairLoop::MoveDiscs& move_discs, bool observed);
   void observe(const Evaluation& evaluation, const physics::ContactBatch& batch, int lane, int pair);
@@ -153,6 +154,10 @@ class DiscLaw : protected LAMMPS_NS::Pointers {
   std::vector<DiscIntegrator*> integrators_;
   bool predicted_ = false;  // by all integrators
   bool set_up_complete_ = false;
+  int held_ = 0;             // groups_with_set_forces()
+  double checked_step_ = 0;  // the largest time step checked [s]
+  LAMMPS_NS::bigint checked_discs_ = 0;
+  Told told_;
   const LAMMPS_NS::NeighList* list_of_run_ = nullptr;  // between the set-up and the end of a run
   LAMMPS_NS::bigint rows_step_ = -1;                   // step that the rows belong to
   std::optional<Evaluation> waiting_;                  // of an open step whose loop has not run yet

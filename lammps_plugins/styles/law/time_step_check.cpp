@@ -16,6 +16,7 @@
 #include "fix.h"
 #include "law/contact_rows.h"
 #include "law/damped_contacts.h"
+#include "law/moving_atoms.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "physics/contact/contact_duration.h"
@@ -59,8 +60,7 @@ void carry_walls(const Modify& modify, std::vector<double>& carried_radius) {
   }
 }
 
-TypesAtHand types_at_hand(const Atom& atom, const Modify& modify, MPI_Comm world) {
-  const MovingAtoms moving(modify);
+TypesAtHand types_at_hand(const Atom& atom, const Modify& modify, const MovingAtoms& moving, MPI_Comm world) {
   const std::vector<double> none(atom.ntypes, 0.0);
   TypesAtHand types{std::vector<double>(atom.ntypes, infinite), none, none, none};
   for (int i = 0; i < atom.nlocal; ++i) {
@@ -166,7 +166,8 @@ std::string above(const LAMMPS& engine, const std::string& style, double bound) 
 
 /// A pair whose dashpots slow it down in these times is unstable by itself. Friction limits what that of
 /// gammat does: an error only of contacts that do not slide.
-void check_pair(LAMMPS& engine, const std::string& style, const ShortestTimes& times, bool predicted) {
+void check_pair(LAMMPS& engine, const std::string& style, const ShortestTimes& times, bool predicted,
+                Told& told) {
   constexpr double accurate = 0.25;
   const double stable_n = physics::stable_dashpot_step(1 / times.normal_dashpot, predicted),
                stable_t = physics::stable_dashpot_step(1 / times.tangential_dashpot, predicted);
@@ -175,7 +176,7 @@ void check_pair(LAMMPS& engine, const std::string& style, const ShortestTimes& t
                               "where the dashpot of gamman is unstable; expected 'timestep " +
                               text_of(accurate * times.normal_dashpot) + "' or less, or a smaller gamman")
                                  .c_str());
-  if (engine.update->dt > stable_t)
+  if (engine.update->dt > stable_t && told.insert("gammat").second)
     warn(engine, above(engine, style, stable_t) +
                      "where the dashpot of gammat is unstable: contacts that should come to rest chatter "
                      "between the limits of friction; expected 'timestep " +
@@ -183,9 +184,9 @@ void check_pair(LAMMPS& engine, const std::string& style, const ShortestTimes& t
 }
 
 /// e_n of a pair, in m12/gamma_n. That of gammat matters only where discs do not slide.
-void check_accuracy(LAMMPS& engine, const std::string& style, double time) {
+void check_accuracy(LAMMPS& engine, const std::string& style, double time, Told& told) {
   constexpr double accurate = 0.25;
-  if (engine.update->dt > accurate * time * (1 + rounded))
+  if (engine.update->dt > accurate * time * (1 + rounded) && told.insert("gamman").second)
     warn(engine, above(engine, style, accurate * time) +
                      "a quarter of the shortest time in which a dashpot of gamman acts; expected 'timestep " +
                      text_of(accurate * time) + "' or less, or a smaller gamman");
@@ -202,8 +203,9 @@ StableSteps stable_steps_of_contacts(LAMMPS& engine, const NeighList& list, cons
   const double safe = safe_part * physics::stable_dashpot_step(1, law.predicted) / engine.update->dt;
   physics::Effects normal = law.effects;
   normal.tangential = physics::Tangential::none;
+  const MovingAtoms moving(*engine.modify, law.held);
   const auto rate = [&](const physics::Effects& effects) {
-    return largest_dashpot_rate(engine, list, effects, law.materials, safe);
+    return largest_dashpot_rate(engine, list, moving, effects, law.materials, safe);
   };
   const double of_normal = rate(normal);
   double rates[] = {of_normal, physics::has_dashpot(law.effects.tangential) ? rate(law.effects) : of_normal};
@@ -217,7 +219,7 @@ std::string smaller_step(double time_step) {
 }
 
 /// The present contacts together.
-void check_packing(LAMMPS& engine, const std::string& style, const StableSteps& stable) {
+void check_packing(LAMMPS& engine, const std::string& style, const StableSteps& stable, Told& told) {
   constexpr double near = 0.75;
   const double dt = engine.update->dt;
   if (dt > stable.normal)
@@ -225,12 +227,12 @@ void check_packing(LAMMPS& engine, const std::string& style, const StableSteps& 
                               "where the dashpots of the present contacts make the integration unstable" +
                               smaller_step(near * stable.normal))
                                  .c_str());
-  if (dt > near * stable.all * (1 + rounded))
+  if (dt > near * stable.all * (1 + rounded) && told.insert("packing").second)
     warn(engine, above(engine, style, near * stable.all) + "near that of " + text_of(stable.all) +
                      " s at which dashpots make the integration unstable" + smaller_step(near * stable.all));
 }
 
-void check_contact(LAMMPS& engine, const std::string& style, double t_c) {
+void check_contact(LAMMPS& engine, const std::string& style, double t_c, Told& told) {
   const double dt = engine.update->dt;
   const std::string step = style + ": time step " + text_of(dt) + " s is ";
   const std::string contact = " of the shortest contact (t_c = " + text_of(t_c) + " s)";
@@ -239,10 +241,10 @@ void check_contact(LAMMPS& engine, const std::string& style, double t_c) {
     engine.error->all(FLERR, (step + "above a quarter" + contact +
                               ", the integration would be unstable; expected " + better + " (t_c/50) or less")
                                  .c_str());
-  if (dt > t_c / physics::steps_per_contact * (1 + rounded))
+  if (dt > t_c / physics::steps_per_contact * (1 + rounded) && told.insert("long").second)
     warn(engine, step + "above t_c/50" + contact + "; " + better + " would do");
   constexpr double many_steps = 5000;
-  if (dt < t_c / many_steps)
+  if (dt < t_c / many_steps && told.insert("short").second)
     warn(engine, step + "below t_c/5000" + contact + " (was 'timestep' forgotten?); " + better + " would do");
 }
 
@@ -260,22 +262,25 @@ ShortestTimes times_of(LAMMPS& engine, const NeighList& list, const TimeScales& 
 
 }  // namespace
 
-void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& style, const TimeScales& law) {
-  const auto at_hand = types_at_hand(*engine.atom, *engine.modify, engine.world);
+void check_time_step(LAMMPS& engine, const NeighList& list, const std::string& style, const TimeScales& law,
+                     Told& told) {
+  const MovingAtoms moving(*engine.modify, law.held);
+  const auto at_hand = types_at_hand(*engine.atom, *engine.modify, moving, engine.world);
   const ShortestTimes times = times_of(engine, list, law, at_hand);
   if (std::isfinite(times.contact))
-    check_contact(engine, style, times.contact);
-  else if (physics::depends_on_velocity(law.effects.normal) && any_moves(at_hand))
+    check_contact(engine, style, times.contact, told);
+  else if (physics::depends_on_velocity(law.effects.normal) && any_moves(at_hand) &&
+           told.insert("unknown").second)
     warn(engine, style +
                      ": nothing moves or touches yet, so the contact duration is unknown and the time step "
                      "is not checked; expected 'impact_velocity V' with the pair style");
-  else if (!any_moves(at_hand) && has_bodies(*engine.modify))
+  else if (!any_moves(at_hand) && has_bodies(*engine.modify) && told.insert("bodies").second)
     warn(engine, style + ": only the bodies of 'fix rigid' move; the time step is not checked for them");
   constexpr int minimisation = 2;
   if (engine.update->whichflag == minimisation) return;
-  check_pair(engine, style, times, law.predicted);
-  check_accuracy(engine, style, times.normal_dashpot);
-  check_packing(engine, style, stable_steps_of_contacts(engine, list, law));
+  check_pair(engine, style, times, law.predicted, told);
+  check_accuracy(engine, style, times.normal_dashpot, told);
+  check_packing(engine, style, stable_steps_of_contacts(engine, list, law), told);
 }
 
 void check_time_step_of_run(LAMMPS& engine, const NeighList& list, const std::string& style,

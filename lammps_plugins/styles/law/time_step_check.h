@@ -2,7 +2,9 @@
 // Compares the time step with the shortest contact duration of the present discs.
 #pragma once
 
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "law/material_constants.h"
 #include "physics/contact/contact_law.h"
@@ -20,7 +22,11 @@ struct TimeScales {
   const MaterialTable& materials;
   double impact_velocity;  // fastest expected impact, for Hertz's law [m/s]; 0: unknown
   bool predicted;          // dashpots see velocities that are predicted for the time of the positions
+  int held;                // groups_with_set_forces() of this run
 };
+
+/// Warnings that a run has been given: each once.
+using Told = std::set<std::string_view>;
 
 /// Stops the run on all ranks, with one line, if the time step exceeds a quarter of the shortest contact
 /// duration, or the largest for which the normal dashpots of a pair, or of all contacts that there are, are
@@ -29,9 +35,10 @@ struct TimeScales {
 /// lightest discs of each pair of types. Hertz: the shorter of two times: t_c at the impact velocity, or at
 /// the sum of the largest present speeds of both types if that is larger; and pi / sqrt(k/m12) with the
 /// tangent stiffness k at the largest present overlap, or k_t for a law with a spring. `style`: prefix of
-/// messages. Collective; call when the neighbour list is built.
+/// messages. Collective; call when the neighbour list is built: in a set-up, and again where the time step
+/// has grown or there are more discs than before.
 void check_time_step(LAMMPS_NS::LAMMPS& engine, const LAMMPS_NS::NeighList& list, const std::string& style,
-                     const TimeScales& law);
+                     const TimeScales& law, Told& told);
 
 /// At the end of a run, whose contacts may not have been there at its start: warns if their dashpots were
 /// unstable.

@@ -13,6 +13,10 @@ namespace mikromakro::physics {
 /// xi grows by the slip; the trial force -k_t xi [- gamma_t v_t] holds up to the cap mu |f_n|. Beyond it the
 /// contact slides at the cap, and the spring is reset to carry the cap less the dashpot's part, never
 /// stretched further than the cap allows.
+///
+/// A spring stretched to the cap, of a contact that slid while its slip turned round, forgets how much the
+/// dashpot carried. Evaluated again without slip, as the set-up of a continued run does, such a contact is
+/// still at the cap.
 template <bool dashpot>
 struct CundallStrack {
   static constexpr const char* name = "disc/cundall_strack";
@@ -24,12 +28,18 @@ struct CundallStrack {
     const double cap = p.friction * std::abs(f_n);
     const double viscous = dashpot ? p.tangential_damping * s.v_t : 0.0;
     const double stretched = s.xi + slip;
-    const double trial = -p.tangential_stiffness * stretched - viscous;
-    const double f_t = std::clamp(trial, -cap, cap);
+    const double elastic = -p.tangential_stiffness * stretched, trial = elastic - viscous;
     // Both outcomes are computed and one is selected: no branch, so that the loop over contacts vectorises.
+    const bool sticks = std::abs(trial) <= cap;
+    const bool stays_at_cap =
+        dashpot && sticks && slip == 0 && std::abs(std::abs(elastic) - cap) <= rounding * cap;
+    const double f_t = std::clamp(stays_at_cap ? elastic : trial, -cap, cap);
     const double sliding_xi = std::clamp(-(f_t + viscous), -cap, cap) * compliance;
-    return {f_n, f_t, std::abs(trial) <= cap ? stretched : sliding_xi};
+    return {f_n, f_t, sticks ? stretched : sliding_xi};
   }
+
+ private:
+  static constexpr double rounding = 1e-12;
 };
 
 }  // namespace mikromakro::physics
