@@ -135,7 +135,8 @@ void set_options(CLI::App& app, const std::string& verb, const py::dict& keyword
   const std::vector<const CLI::Option*> options = options_of(app);
   Words positional, words;
   for (const auto& [key, value] : keywords) {
-    const CLI::Option& option = option_of(options, verb, key.cast<std::string>());
+    const auto keyword = key.cast<std::string>();
+    const CLI::Option& option = option_of(options, verb, keyword);
     if (!value.is_none()) add_option(option, value, option.get_positional() ? positional : words);
   }
   for (std::string& file : positional)  // which may have the name of an option

@@ -80,7 +80,8 @@ Json SceneRanges::quantities() const {
   Json list = Json::array();
   const std::vector<std::string_view> names = disc_quantity_names();
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const QuantityInfo& info = disc_quantity(std::string(names[i]));
+    const std::string name(names[i]);
+    const QuantityInfo& info = disc_quantity(name);
     const Limits& limits = scales_[i].colours;
     const bool of_contacts = info.contacts_needed != 0;
     if (limits.empty() || !std::isfinite(scales_[i].values.low + scales_[i].values.high) ||

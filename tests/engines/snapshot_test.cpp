@@ -29,6 +29,13 @@ std::string dumps(int every) {
       every, columns, format);
 }
 
+long lines_beginning_with(const std::string& text, const std::string& output) {
+  std::istringstream lines(output);
+  long count = 0;
+  for (std::string line; std::getline(lines, line);) count += line.starts_with(text) ? 1 : 0;
+  return count;
+}
+
 class OnRanks : public SnapshotOfARun, public testing::WithParamInterface<int> {};
 
 // Also where the second run starts, which has a frame of this step already.
@@ -111,7 +118,9 @@ TEST_P(OnRanks, StopsAtAFileOfAnotherSystem) {
     EXPECT_NE(output.find("ERROR: snapshot/disc: s.h5: belongs to another system, " + line),
               std::string::npos)
         << output;
-    EXPECT_EQ(output.find("ERROR"), output.rfind("ERROR"));
+    // From all ranks together. Open MPI 5 at times adds '[host:pid] PMIX ERROR', a line of mpirun's own, to
+    // programs that end with an exit code.
+    EXPECT_EQ(lines_beginning_with("ERROR", output), 1) << output;
   };
   const std::string append = "fix s all snapshot/disc 20 file s.h5 append yes\nrun 20\n";
   stopped(turning_cell + "set group outer diameter 0.0024\n" + append, "disc 21 differs");

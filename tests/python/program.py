@@ -29,7 +29,7 @@ def dumps(folder, frames, speed=lambda frame: 1.0, decay=1.0):
         for frame in range(frames):
             p.write(head.format(frame, "ATOMS", 3, "ATOMS") + "id type x y radius mass vx vy omegaz\n")
             for k in range(3):
-                p.write(f"{k + 1} {1 + k % 2} {1.5 + k} 0 0.525 {1 + k} 0 {speed(frame) * decay**k!r} 0\n")
+                p.write(f"{k + 1} {1 + k % 2} {1.5 + k} 0 0.525 {1 + k} 0 {float(speed(frame) * decay**k)!r} 0\n")
             c.write(head.format(frame, "ENTRIES", 1, "ENTRIES") + "id1 id2 nx ny overlap fx fy\n")
             c.write(f"1 2 1 0 0.05 {-1.0 - frame!r} 0\n")
     return {"particles": particles, "contacts": contacts}

@@ -56,12 +56,9 @@ TEST(JoinContacts, StockRowsMarkedPeriodicHaveWrappedPositions) {
 // apart: overlaps 1.3 and 0.3.
 TEST(JoinContacts, InANarrowBoxTheRowSaysWhichImageTouches) {
   const std::vector<Particle> discs = {disc(1, 1, 5, 2.9), disc(2, 5.5, 5, 2.9)};
-  const std::vector<Value> places = {{id1, 1}, {id2, 2}, {x1, 1}, {y1, 5}, {x2, 5.5}, {y2, 5}};
   for (const double flag : {0.0, 1.0}) {
-    auto row = places;
-    row.push_back({periodic, flag});
     ContactRows rows;
-    add_row(rows, row);
+    add_row(rows, {{id1, 1}, {id2, 2}, {x1, 1}, {y1, 5}, {x2, 5.5}, {y2, 5}, {periodic, flag}});
     const Contact contact = join_one(rows, discs, box_of_ten(true));
     EXPECT_DOUBLE_EQ(contact.normal[0], flag == 1 ? -1 : 1);
     EXPECT_NEAR(contact.overlap, flag == 1 ? 0.3 : 1.3, 1e-15);
@@ -152,10 +149,10 @@ TEST(JoinContacts, APairMayTouchThroughTwoImagesOfASmallBox) {
 TEST(JoinContacts, PlacesOfOneDiscDoNotSayOnWhichSideItsImageTouches) {
   const std::vector<Particle> one = {disc(1, 5, 5, 5.1)};
   const std::vector<Value> flagged = {{id1, 1}, {id2, 1}, {x1, 5}, {y1, 5}, {x2, 5}, {y2, 5}, {periodic, 1}};
-  for (const bool with_overlap : {false, true}) {
+  const std::vector<Value> with_overlap = {{id1, 1}, {id2, 1}, {x1, 5},       {y1, 5},
+                                           {x2, 5},  {y2, 5},  {periodic, 1}, {overlap, 0.2}};
+  for (const auto& row : {flagged, with_overlap}) {
     ContactRows rows;
-    auto row = flagged;
-    if (with_overlap) row.push_back({overlap, 0.2});
     add_row(rows, row);
     EXPECT_THROW(join_all(rows, one, box_of_ten(true)), Error);
   }

@@ -64,7 +64,8 @@ TEST(Fletcher32, NoticesEveryFlippedBitAndSwappedWords) {
     std::swap_ranges(wrong.begin() + static_cast<std::ptrdiff_t>(i),
                      wrong.begin() + static_cast<std::ptrdiff_t>(i) + 2,
                      wrong.begin() + static_cast<std::ptrdiff_t>(i) + 18);
-    if (wrong != right) EXPECT_FALSE(fletcher32_fits(wrong)) << "byte " << i;
+    if (wrong == right) continue;
+    EXPECT_FALSE(fletcher32_fits(wrong)) << "byte " << i;
   }
 }
 
