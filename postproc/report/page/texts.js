@@ -39,7 +39,10 @@ function framesOption(page, first, last) {
 
 function drawCommand(page, look) {
   const { draw, draw_height: height } = page.commands;
-  const color = look.quantity === null ? "" : ` --color ${look.quantity.name}${look.quantity.name === "pressure" ? height : ""}`;
+  const { name, low, high } = look.quantity ?? {};
+  // Colours of the page are those of all frames; without the range they would be those of this one.
+  const range = high > low ? ` --range ${low} ${high}` : "";
+  const color = look.quantity === null ? "" : ` --color ${name}${name === "pressure" ? height : ""}${range}`;
   return `${draw}${framesOption(page, look.frame.index, look.frame.index)}${color}${look.chains ? " --chains" : ""}${look.network ? " --network" : ""} --out frame.png`;
 }
 
